@@ -1,0 +1,1 @@
+"""The PIM array in Amaranth."""

@@ -1,0 +1,1 @@
+"""Simulation of the exported Verilog: Verilator driven by cocotb."""

@@ -1,0 +1,29 @@
+"""Frozen, validated objects that the golden model, the packer and the gateware are all built from."""
+
+from macram.spec.array import GROUP, LANES, TAPS, ArrayConfig, parse_format
+from macram.spec.formats import IntFormat, ceil_div, signed_format_for
+from macram.spec.layer import ConvSpec, accumulator_format, accumulator_range
+from macram.spec.registers import BY_NAME, REGISTERS, Control, Error, Register, Status
+from macram.spec.stream import StreamLayout, words_to_beats
+
+__all__ = [
+    "BY_NAME",
+    "GROUP",
+    "LANES",
+    "REGISTERS",
+    "TAPS",
+    "ArrayConfig",
+    "Control",
+    "ConvSpec",
+    "Error",
+    "IntFormat",
+    "Register",
+    "Status",
+    "StreamLayout",
+    "accumulator_format",
+    "accumulator_range",
+    "ceil_div",
+    "parse_format",
+    "signed_format_for",
+    "words_to_beats",
+]

@@ -1,0 +1,255 @@
+"""Geometry of the PIM array: what is built, and which layers it admits."""
+
+from __future__ import annotations
+
+import operator
+import tomllib
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+from macram.spec.formats import IntFormat, ceil_div
+from macram.spec.layer import ConvSpec, accumulator_format
+
+GROUP = 4
+"""Pixels of one row that a row engine takes per cycle."""
+TAPS = 3
+"""Taps of one kernel row; also the kernel rows of a 3x3 kernel."""
+LANES = GROUP + TAPS - 1
+"""Lane sums of one row engine: lane k of group g belongs to output column ``4 g + k - 1``."""
+MULT_BITS, OFFSET_BITS, SHIFT_BITS = 18, 48, 6
+"""Field widths of the multiplier-shift requantiser (5 to 8 output bits)."""
+MAX_THRESHOLD_BITS = 4
+"""Up to this many output bits the requantiser compares with thresholds."""
+ENGINES = ("portable",)
+
+
+@dataclass(frozen=True, slots=True)
+class ArrayConfig:
+    """One PIM array. Every field is a build-time constant; layer shapes are set at run time.
+
+    Attributes:
+        name: goes into the manifest and into the names of reports.
+        units: PIM units; unit u owns output channels u, u + units, ...
+        rows: row engines per unit; each takes one input channel per cycle.
+        weight, input, output: code formats.
+        max_c_in: input channels the accumulator is sized for.
+        max_c_out: output channels of one pass (requantiser and carry memories).
+        weight_depth: weight words per unit; a layer needs ``tiles * 3 * blocks``.
+        row_words: line-buffer words (4 pixels x ``rows`` channels) per image row.
+        stream_bits: TDATA width of all three streams.
+        ingest: channel blocks written to the line buffer per cycle (one bank each).
+        drain: channels requantised per cycle, times 4 pixels.
+        engine: row-engine kind.
+
+    Raises:
+        ValueError: a field is out of range or two fields do not fit together.
+    """
+
+    name: str = "reference"
+    units: int = 64
+    rows: int = 8
+    weight: IntFormat = field(default_factory=lambda: IntFormat(3, signed=True))
+    input: IntFormat = field(default_factory=lambda: IntFormat(3))
+    output: IntFormat = field(default_factory=lambda: IntFormat(3))
+    max_c_in: int = 1024
+    max_c_out: int = 1024
+    weight_depth: int = 512
+    row_words: int = 512
+    stream_bits: int = 64
+    ingest: int = 2
+    drain: int = 4
+    engine: str = "portable"
+
+    def __post_init__(self) -> None:
+        limits = {
+            "units": (4, 1024), "rows": (1, 64), "max_c_in": (1, 8192), "max_c_out": (1, 8192),
+            "weight_depth": (3, 1 << 16), "row_words": (2, 1 << 16), "drain": (1, 64),
+        }  # fmt: skip
+        for key, (lo, hi) in limits.items():
+            value = operator.index(getattr(self, key))
+            if not lo <= value <= hi:
+                raise ValueError(f"{key} must be in {lo}..{hi}, not {value}")
+        if self.engine not in ENGINES:
+            raise ValueError(f"engine must be one of {', '.join(ENGINES)}, not {self.engine!r}")
+        for key in ("weight", "input", "output"):
+            bits = getattr(self, key).bits
+            if not 2 <= bits <= 8:
+                raise ValueError(f"{key} bits must be in 2..8, not {bits}")
+        if not self.weight.signed:
+            raise ValueError(f"weight must be a signed format, not {self.weight}")
+        if self.stream_bits not in (32, 64, 128, 256, 512):
+            raise ValueError(f"stream_bits must be 32, 64, 128, 256 or 512, not {self.stream_bits!r}")
+        if self.ingest not in (1, 2, 4, 8):
+            raise ValueError(f"ingest must be 1, 2, 4 or 8, not {self.ingest!r}")
+        if self.units % (GROUP * self.drain):
+            raise ValueError(
+                f"units must be a multiple of 4 * drain = {GROUP * self.drain}, not {self.units}"
+            )
+        if self.row_words % self.ingest:
+            raise ValueError(f"row_words must be a multiple of ingest = {self.ingest}, not {self.row_words}")
+        if self.max_c_out % self.units:
+            raise ValueError(f"max_c_out must be a multiple of units = {self.units}, not {self.max_c_out}")
+
+    # ---- derived widths -------------------------------------------------------------------------
+
+    @property
+    def accumulator(self) -> IntFormat:
+        """Format of every accumulator: exact for ``9 * max_c_in`` products."""
+        return accumulator_format(self.weight, self.input, TAPS * TAPS * self.max_c_in)
+
+    @property
+    def weight_word_bits(self) -> int:
+        """Bits of one weight word: ``rows`` kernel rows of 3 taps (72 for 8 rows at 3 bits)."""
+        return self.rows * TAPS * self.weight.bits
+
+    @property
+    def line_word_bits(self) -> int:
+        """Bits of one line-buffer word: 4 pixels of ``rows`` channels."""
+        return GROUP * self.block_bits
+
+    @property
+    def block_bits(self) -> int:
+        """Bits of one channel block of one pixel."""
+        return self.rows * self.input.bits
+
+    @property
+    def thresholds(self) -> int:
+        """Thresholds per channel, 0 if the requantiser multiplies instead."""
+        return (1 << self.output.bits) - 1 if self.output.bits <= MAX_THRESHOLD_BITS else 0
+
+    @property
+    def requant_entry_bits(self) -> int:
+        """Bits of one channel's requantiser parameters."""
+        if self.thresholds:
+            return self.thresholds * self.accumulator.bits + 1
+        return MULT_BITS + OFFSET_BITS + SHIFT_BITS
+
+    @property
+    def requant_word_bits(self) -> int:
+        """Bits of one requantiser word: ``drain`` channels."""
+        return self.drain * self.requant_entry_bits
+
+    @property
+    def requant_depth(self) -> int:
+        """Requantiser words."""
+        return self.max_c_out // self.drain
+
+    @property
+    def max_tiles(self) -> int:
+        """Output-channel tiles of one pass."""
+        return self.max_c_out // self.units
+
+    @property
+    def drain_cycles(self) -> int:
+        """Cycles to requantise one 4-pixel group of one tile."""
+        return self.units // self.drain
+
+    @property
+    def output_word_channels(self) -> int:
+        """Channels of one pixel that leave the output buffer per cycle."""
+        return GROUP * self.drain
+
+    @property
+    def peak_macs(self) -> int:
+        """Multiply-accumulates per cycle with every engine busy (6144 for 64 x 8)."""
+        return self.units * self.rows * GROUP * TAPS
+
+    # ---- how a layer lies on the array ----------------------------------------------------------
+
+    def blocks(self, c_in: int) -> int:
+        """Channel blocks of ``rows`` input channels."""
+        return ceil_div(c_in, self.rows)
+
+    def tiles(self, c_out: int) -> int:
+        """Output-channel tiles of ``units`` channels."""
+        return ceil_div(c_out, self.units)
+
+    def groups(self, width: int) -> int:
+        """4-pixel groups of one row."""
+        return ceil_div(width, GROUP)
+
+    def weight_words(self, layer: ConvSpec) -> int:
+        """Weight words per unit that ``layer`` needs."""
+        return self.tiles(layer.c_out) * TAPS * self.blocks(layer.c_in)
+
+    def check_admits(self, layer: ConvSpec) -> None:
+        """Refuse a layer that this array cannot run in one pass.
+
+        Raises:
+            ValueError: naming the first limit that is broken and the value that breaks it.
+        """
+        for key in ("weight", "input", "output"):
+            mine, theirs = getattr(self, key), getattr(layer, key)
+            if mine != theirs:
+                raise ValueError(f"the array's {key} format is {mine}, the layer's is {theirs}")
+        if (layer.kernel, layer.stride, layer.padding) != (3, 1, 1):
+            raise ValueError(
+                "the array runs 3x3 kernels with stride 1 and padding 1 so far, not "
+                f"{layer.kernel}x{layer.kernel} with stride {layer.stride} and padding {layer.padding}"
+            )
+        if layer.c_in > self.max_c_in:
+            raise ValueError(f"c_in must be at most {self.max_c_in}, not {layer.c_in}")
+        if layer.c_out > self.max_c_out:
+            raise ValueError(f"c_out must be at most {self.max_c_out}, not {layer.c_out}")
+        if max(layer.height, layer.width) > 0xFFFF:
+            raise ValueError(f"height and width must be at most 65535, not {layer.height}x{layer.width}")
+        words = self.weight_words(layer)
+        if words > self.weight_depth:
+            raise ValueError(
+                f"{layer.c_in} -> {layer.c_out} channels need {words} weight words per unit, "
+                f"the array has {self.weight_depth}; split the output channels"
+            )
+        row = self.groups(layer.width) * ceil_div(self.blocks(layer.c_in), self.ingest) * self.ingest
+        if row > self.row_words:
+            raise ValueError(
+                f"a row of {layer.width} pixels x {layer.c_in} channels needs {row} line-buffer words, "
+                f"the array has {self.row_words}; split the width"
+            )
+
+    # ---- files ----------------------------------------------------------------------------------
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, formats as ``"u3"``/``"s3"``; `from_dict` is the inverse."""
+        return {
+            f.name: str(v) if isinstance(v := getattr(self, f.name), IntFormat) else v for f in fields(self)
+        }
+
+    @classmethod
+    def from_dict(cls, table: dict[str, Any]) -> ArrayConfig:
+        """Build from plain values.
+
+        Raises:
+            ValueError: unknown key, or a format that is not ``u`` or ``s`` and a bit count.
+        """
+        known = {f.name for f in fields(cls)}
+        if unknown := sorted(set(table) - known):
+            raise ValueError(f"unknown key {unknown[0]!r}; known are {', '.join(sorted(known))}")
+        values = dict(table)
+        for key in ("weight", "input", "output"):
+            if key in values:
+                values[key] = parse_format(values[key])
+        return cls(**values)
+
+    @classmethod
+    def from_toml(cls, path: Path) -> ArrayConfig:
+        """Read the ``[array]`` table of a TOML file.
+
+        Raises:
+            ValueError: naming the file and the fault.
+        """
+        try:
+            return cls.from_dict(tomllib.loads(Path(path).read_text()).get("array", {}))
+        except (OSError, TypeError, ValueError) as error:
+            raise ValueError(f"{path}: {error}") from error
+
+
+def parse_format(text: str) -> IntFormat:
+    """``"u3"`` -> unsigned 3 bits, ``"s8"`` -> signed 8 bits.
+
+    Raises:
+        ValueError: any other text.
+    """
+    if not (isinstance(text, str) and text[:1] in ("u", "s") and text[1:].isdigit()):
+        raise ValueError(f"a format is 'u' or 's' and a bit count, such as 'u3', not {text!r}")
+    return IntFormat(int(text[1:]), signed=text[0] == "s")

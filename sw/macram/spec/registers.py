@@ -1,0 +1,83 @@
+"""The AXI4-Lite register map: one table for the gateware, the driver and the documentation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum, IntFlag
+
+
+@dataclass(frozen=True, slots=True)
+class Register:
+    """A 32-bit register at byte ``offset``; ``access`` is ``RO``, ``RW`` or ``WO``."""
+
+    name: str
+    offset: int
+    access: str
+    reset: int
+    description: str
+
+
+class Control(IntFlag):
+    """Bits of CONTROL; each acts once when written as 1."""
+
+    START = 1
+    LOAD_WEIGHTS = 2
+    LOAD_REQUANT = 4
+    SOFT_RESET = 8
+
+
+class Status(IntFlag):
+    """Bits of STATUS."""
+
+    BUSY = 1
+    DONE = 2
+    ERROR = 4
+
+
+class Error(IntEnum):
+    """Values of ERROR. The first fault since the last command or soft reset is kept."""
+
+    NONE = 0
+    BAD_SHAPE = 1
+    BAD_MODE = 2
+    TLAST_EARLY = 3
+    TLAST_MISSING = 4
+    BAD_COMMAND = 5
+
+
+ID_VALUE = 0x4D41_4352
+VERSION_VALUE = 0x0001_0000
+MODE_3X3 = 0x0001_0103
+"""MODE: kernel in bits 7:0, stride in 15:8, padding in 23:16."""
+
+REGISTERS: tuple[Register, ...] = (
+    Register("ID", 0x00, "RO", ID_VALUE, "ASCII 'MACR'"),
+    Register("VERSION", 0x04, "RO", VERSION_VALUE, "major in 31:16, minor in 15:0"),
+    Register("CONTROL", 0x08, "WO", 0, "start 0, load weights 1, load requantiser 2, soft reset 3"),
+    Register("STATUS", 0x0C, "RO", 0, "busy 0, done 1, error 2"),
+    Register("ERROR", 0x10, "RO", 0, "error code, see the table of codes"),
+    Register("HEIGHT", 0x14, "RW", 0, "image rows"),
+    Register("WIDTH", 0x18, "RW", 0, "image columns"),
+    Register("C_IN", 0x1C, "RW", 0, "input channels"),
+    Register("C_OUT", 0x20, "RW", 0, "output channels"),
+    Register("MODE", 0x24, "RW", MODE_3X3, "kernel 7:0, stride 15:8, padding 23:16"),
+    Register("PARAM_WORDS", 0x28, "RW", 0, "words to load: per unit for weights, in all for the requantiser"),
+    Register("CYCLES", 0x2C, "RO", 0, "first accepted input beat to last output beat, both counted"),
+    Register("MAC_CYCLES", 0x30, "RO", 0, "cycles of CYCLES that issued a compute step"),
+    Register("FILL_CYCLES", 0x34, "RO", 0, "cycles before the first compute step"),
+    Register("INPUT_STALLS", 0x38, "RO", 0, "cycles between compute steps that waited for input"),
+    Register(
+        "OUTPUT_STALLS", 0x3C, "RO", 0, "cycles between compute steps that waited for the drain or the output"
+    ),
+    Register("DRAIN_CYCLES", 0x40, "RO", 0, "cycles after the last compute step"),
+    Register("GEOMETRY", 0x44, "RO", 0, "units 15:0, row engines per unit 23:16, drain 31:24"),
+    Register(
+        "FORMATS", 0x48, "RO", 0, "weight bits 7:0, input bits 14:8, signed 15, output bits 22:16, signed 23"
+    ),
+    Register("WEIGHT_DEPTH", 0x4C, "RO", 0, "weight words per unit"),
+    Register("ROW_WORDS", 0x50, "RO", 0, "line-buffer words per image row"),
+    Register("MAX_CHANNELS", 0x54, "RO", 0, "input channels 15:0, output channels 31:16"),
+)
+
+BY_NAME: dict[str, Register] = {register.name: register for register in REGISTERS}
+ADDRESS_BITS = 7
