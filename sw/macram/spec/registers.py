@@ -66,14 +66,10 @@ REGISTERS: tuple[Register, ...] = (
     Register("MAC_CYCLES", 0x30, "RO", 0, "cycles of CYCLES that issued a compute step"),
     Register("FILL_CYCLES", 0x34, "RO", 0, "cycles before the first compute step"),
     Register("INPUT_STALLS", 0x38, "RO", 0, "cycles between compute steps that waited for input"),
-    Register(
-        "OUTPUT_STALLS", 0x3C, "RO", 0, "cycles between compute steps that waited for the drain or the output"
-    ),
+    Register("OUTPUT_STALLS", 0x3C, "RO", 0, "cycles between compute steps that waited for drain or output"),
     Register("DRAIN_CYCLES", 0x40, "RO", 0, "cycles after the last compute step"),
     Register("GEOMETRY", 0x44, "RO", 0, "units 15:0, row engines per unit 23:16, drain 31:24"),
-    Register(
-        "FORMATS", 0x48, "RO", 0, "weight bits 7:0, input bits 14:8, signed 15, output bits 22:16, signed 23"
-    ),
+    Register("FORMATS", 0x48, "RO", 0, "bits: weight 7:0, input 14:8 (signed 15), output 22:16 (signed 23)"),
     Register("WEIGHT_DEPTH", 0x4C, "RO", 0, "weight words per unit"),
     Register("ROW_WORDS", 0x50, "RO", 0, "line-buffer words per image row"),
     Register("MAX_CHANNELS", 0x54, "RO", 0, "input channels 15:0, output channels 31:16"),
