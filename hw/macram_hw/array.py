@@ -1,0 +1,240 @@
+"""The array: line buffer, sequencer, 64 units, drain, loader and counters, without the AXI edge."""
+
+from amaranth.hdl import Module, Mux, Signal
+from amaranth.lib import stream, wiring
+from amaranth.lib.wiring import In, Out, connect
+from macram.spec import ArrayConfig, Error
+
+from macram_hw.drain import Drain
+from macram_hw.gearbox import Beat, EmitGearbox, IngestGearbox
+from macram_hw.line_buffer import LineBuffer
+from macram_hw.loader import Loader
+from macram_hw.sequencer import Sequencer
+from macram_hw.shape import LayerShape, ShapeDecoder
+from macram_hw.unit import PimUnit, UnitCore
+
+__all__ = ["COUNTERS", "Array", "FrameCheck"]
+
+COUNTERS = ("cycles", "mac_cycles", "fill_cycles", "input_stalls", "output_stalls", "drain_cycles")
+
+
+class FrameCheck(wiring.Component):
+    """Lets exactly one image pass and compares TLAST with the shape.
+
+    No latency: beats pass through; ``i`` is stalled outside an image.
+
+    Members:
+        start: In, open for an image. shape: In.
+        i: In stream, `Beat`. o: Out stream, data.
+        fault, error: Out, strobe when TLAST comes early or is missing on the last beat.
+    """
+
+    def __init__(self, config: ArrayConfig):
+        super().__init__({
+            "start": In(1),
+            "shape": In(LayerShape()),
+            "i": In(stream.Signature(Beat(config.stream_bits))),
+            "o": Out(stream.Signature(config.stream_bits)),
+            "fault": Out(1),
+            "error": Out(Error, init=Error.NONE),
+        })  # fmt: skip
+
+    def elaborate(self, platform):
+        m = Module()
+        is_open = Signal()
+        beat, column, row = Signal(16), Signal(16), Signal(16)
+        put, pixel_last, row_last, image_last = Signal(), Signal(), Signal(), Signal()
+        m.d.comb += [
+            self.o.payload.eq(self.i.payload.data),
+            self.o.valid.eq(self.i.valid & is_open),
+            self.i.ready.eq(self.o.ready & is_open),
+            put.eq(self.i.valid & self.i.ready),
+            pixel_last.eq(beat + 1 == self.shape.beats_in),
+            row_last.eq(pixel_last & (column + 1 == self.shape.width)),
+            image_last.eq(row_last & (row + 1 == self.shape.height)),
+            self.fault.eq(put & (self.i.payload.last != image_last)),
+            self.error.eq(Mux(self.i.payload.last, Error.TLAST_EARLY, Error.TLAST_MISSING)),
+        ]
+        with m.If(put):
+            m.d.sync += beat.eq(Mux(pixel_last, 0, beat + 1))
+            with m.If(pixel_last):
+                m.d.sync += column.eq(Mux(row_last, 0, column + 1))
+            with m.If(row_last):
+                m.d.sync += row.eq(row + 1)
+            with m.If(image_last):
+                m.d.sync += is_open.eq(0)
+        with m.If(self.start):
+            m.d.sync += [is_open.eq(1), beat.eq(0), column.eq(0), row.eq(0)]
+        return m
+
+
+class Array(wiring.Component):
+    """The PIM array between three streams, commanded by strobes.
+
+    From START, `ShapeDecoder.LATENCY` + 1 cycles pass before the first input beat is accepted. The figures of a run
+    without stalls are in `macram.perf`.
+
+    Members:
+        height, width, c_in, c_out, mode, words: In, from the registers; they must not change while busy.
+        command: In, strobes as in `macram.spec.Control`, without the soft reset.
+        busy, done, error: Out. The first error is kept until the next command.
+        cycles ... drain_cycles: Out, counters of the last run, see the register map.
+        i, params: In streams, `Beat`. o: Out stream, `Beat`.
+    """
+
+    def __init__(self, config: ArrayConfig):
+        self._config = config
+        beat = Beat(config.stream_bits)
+        super().__init__({
+            "height": In(16), "width": In(16), "c_in": In(16), "c_out": In(16), "mode": In(32), "words": In(16),
+            "command": In(3),
+            "busy": Out(1),
+            "done": Out(1),
+            "error": Out(Error, init=Error.NONE),
+            **{name: Out(32) for name in COUNTERS},
+            "i": In(stream.Signature(beat)),
+            "params": In(stream.Signature(beat)),
+            "o": Out(stream.Signature(beat)),
+        })  # fmt: skip
+
+    def elaborate(self, platform):
+        config = self._config
+        m = Module()
+        m.submodules.decoder = decoder = ShapeDecoder(config)
+        m.submodules.frame = frame = FrameCheck(config)
+        m.submodules.ingest = ingest = IngestGearbox(
+            beat_bits=config.stream_bits, word_bits=config.ingest * config.block_bits
+        )
+        m.submodules.lines = lines = LineBuffer(config)
+        m.submodules.sequencer = sequencer = Sequencer(config)
+        m.submodules.drain = drain = Drain(config)
+        m.submodules.emit = emit = EmitGearbox(
+            word_bits=config.output_word_channels * config.output.bits, beat_bits=config.stream_bits
+        )
+        m.submodules.loader = loader = Loader(config)
+
+        start = Signal()
+        shape = Signal(LayerShape())
+        self._control(m, decoder, frame, loader, start, shape)
+
+        # ---- image path ---------------------------------------------------------------------------------
+        connect(m, wiring.flipped(self.i), frame.i)
+        connect(m, frame.o, ingest.i)
+        connect(m, ingest.o, lines.i)
+        connect(m, drain.o, emit.i)
+        connect(m, emit.o, wiring.flipped(self.o))
+        connect(m, wiring.flipped(self.params), loader.i)
+        m.d.comb += [
+            *(block.shape.eq(shape) for block in (frame, lines, sequencer, drain)),
+            *(block.start.eq(start) for block in (frame, lines, sequencer, drain)),
+            ingest.beats_per_pixel.eq(shape.beats_in),
+            ingest.words_per_pixel.eq(shape.ingest_words),
+            emit.beats_per_pixel.eq(shape.beats_out),
+            lines.retire.eq(sequencer.retire),
+            lines.read.eq(sequencer.step.read),
+            sequencer.group_written.eq(lines.group_written),
+            sequencer.image_written.eq(lines.image_written),
+            sequencer.credit.eq(drain.credit),
+            drain.write_en.eq(loader.requant_en),
+            drain.write.eq(loader.requant),
+        ]
+
+        # ---- the step's control follows it to the accumulators -------------------------------------------
+        control, info = sequencer.step.control, sequencer.step.info
+        for stage in range(LineBuffer.LATENCY + UnitCore.CONTROL_DELAY):
+            control_next = Signal.like(control, name=f"control{stage}")
+            info_next = Signal.like(info, name=f"info{stage}", reset_less=True)
+            m.d.sync += [control_next.eq(control), info_next.eq(info)]
+            control, info = control_next, info_next
+        m.d.comb += [drain.finished.eq(control.en & control.last), drain.info.eq(info)]
+
+        # ---- units, chained so that chain q brings channels q, q + drain, ... to its head ----------------
+        units = [PimUnit(config, index=index) for index in range(config.units)]
+        for index, unit in enumerate(units):
+            m.submodules[f"unit{index:03d}"] = unit
+            m.d.comb += [
+                unit.address.eq(sequencer.step.weight),
+                unit.write_en.eq(loader.unit_en[index]),
+                unit.write.eq(loader.weight),
+                unit.activations.eq(lines.word),
+                unit.control.eq(control),
+                unit.shift.eq(drain.shift),
+            ]
+            if index < config.drain:
+                m.d.comb += drain.heads[index].eq(unit.chain_o)
+            if index + config.drain < config.units:
+                m.d.comb += unit.chain_i.eq(units[index + config.drain].chain_o)
+
+        self._counters(m, start, sequencer)
+        return m
+
+    def _control(self, m, decoder, frame, loader, start, shape):
+        """Commands, the check of the shape, and how a run ends."""
+        m.d.comb += [
+            decoder.height.eq(self.height), decoder.width.eq(self.width),
+            decoder.c_in.eq(self.c_in), decoder.c_out.eq(self.c_out), decoder.mode.eq(self.mode),
+            loader.words.eq(self.words),
+            shape.eq(decoder.shape),
+        ]  # fmt: skip
+        commanded = self.command.any()
+        one_command = (self.command & (self.command - 1)) == 0
+        loading = self.command[1] | self.command[2]
+        depth = Mux(self.command[2], self._config.requant_depth, self._config.weight_depth)
+        wait = Signal(range(decoder.LATENCY + 1))
+        running = Signal()
+        m.d.comb += [
+            self.busy.eq(running | loader.busy | (wait != 0)),
+            start.eq((wait == 1) & (decoder.error == Error.NONE)),
+        ]
+        with m.If(wait != 0):
+            m.d.sync += wait.eq(wait - 1)
+            with m.If(wait == 1):
+                m.d.sync += [running.eq(decoder.error == Error.NONE), self.error.eq(decoder.error)]
+        with m.If(commanded & ~self.busy):
+            m.d.sync += [self.done.eq(0), self.error.eq(Error.NONE)]
+            with m.If(~one_command | (loading & ((self.words == 0) | (self.words > depth)))):
+                m.d.sync += self.error.eq(Error.BAD_COMMAND)
+            with m.Elif(self.command[0]):
+                m.d.sync += wait.eq(decoder.LATENCY)
+            with m.Else():
+                m.d.comb += [
+                    loader.start_weights.eq(self.command[1]), loader.start_requant.eq(self.command[2]),
+                ]  # fmt: skip
+        with m.If(running & self.o.valid & self.o.ready & self.o.payload.last):
+            m.d.sync += [running.eq(0), self.done.eq(1)]
+        with m.If(self.error == Error.NONE):
+            with m.If(frame.fault):
+                m.d.sync += self.error.eq(frame.error)
+            with m.Elif(loader.fault):
+                m.d.sync += self.error.eq(loader.error)
+
+    def _counters(self, m, start, sequencer):
+        """Every cycle from the first accepted input beat to the last output beat is counted under one cause."""
+        seen, issued, ended = Signal(), Signal(), Signal()
+        counting, first_beat, last_beat = Signal(), Signal(), Signal()
+        m.d.comb += [
+            first_beat.eq(self.i.valid & self.i.ready),
+            last_beat.eq(self.o.valid & self.o.ready & self.o.payload.last),
+            counting.eq((first_beat | seen) & ~ended),
+        ]
+        with m.If(first_beat):
+            m.d.sync += seen.eq(1)
+        with m.If(sequencer.issue):
+            m.d.sync += issued.eq(1)
+        with m.If(last_beat):
+            m.d.sync += ended.eq(1)
+        with m.If(counting):
+            m.d.sync += self.cycles.eq(self.cycles + 1)
+            with m.If(sequencer.issue):
+                m.d.sync += self.mac_cycles.eq(self.mac_cycles + 1)
+            with m.Elif(~issued):
+                m.d.sync += self.fill_cycles.eq(self.fill_cycles + 1)
+            with m.Elif(sequencer.starved):
+                m.d.sync += self.input_stalls.eq(self.input_stalls + 1)
+            with m.Elif(sequencer.blocked & ~sequencer.flushing):
+                m.d.sync += self.output_stalls.eq(self.output_stalls + 1)
+            with m.Else():
+                m.d.sync += self.drain_cycles.eq(self.drain_cycles + 1)
+        with m.If(start):
+            m.d.sync += [seen.eq(0), issued.eq(0), ended.eq(0)]
+            m.d.sync += [getattr(self, name).eq(0) for name in COUNTERS]

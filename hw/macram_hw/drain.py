@@ -1,0 +1,204 @@
+"""The drain: result registers -> requantiser -> output buffer -> words in pixel order."""
+
+from amaranth.hdl import Cat, Module, Mux, Signal
+from amaranth.lib import data, memory, stream, wiring
+from amaranth.lib.wiring import In, Out
+from macram.spec import GROUP, ArrayConfig
+
+from macram_hw.engine import hdl_shape
+from macram_hw.gearbox import PixelWord
+from macram_hw.requant import Requantiser
+from macram_hw.sequencer import GroupInfo
+from macram_hw.shape import LayerShape
+from macram_hw.unit import UnitCore
+
+__all__ = ["Drain", "RequantWrite"]
+
+
+class RequantWrite(data.StructLayout):
+    """A write to the requantiser's parameter memory."""
+
+    def __init__(self, config: ArrayConfig):
+        super().__init__({"addr": (config.requant_depth - 1).bit_length(), "data": config.requant_word_bits})
+
+
+class Drain(wiring.Component):
+    """Shifts finished sums out of the units, ``drain`` channels x 4 pixels per cycle, and orders them by pixel.
+
+    One (group, tile) takes ``drain_cycles`` cycles. A group goes into one half of the output buffer while the
+    other half is read; a group starts draining only when its half is free, and then never stops, so the
+    credit can be given back early: `CREDIT_AT` cycles into the drain.
+
+    Members:
+        shape: In, constant during a run.
+        finished, info: In, strobe when the result registers have been loaded, and for which group.
+        heads: In, accumulators at the head of the ``drain`` chains. shift: Out, to all units.
+        credit: Out, strobe to the sequencer.
+        write_en, write: In, parameter reload.
+        o: Out stream, `PixelWord` of ``4 * drain`` channels; one per cycle when not stalled.
+    """
+
+    ISSUE_TO_RESULT = 1 + 2 + UnitCore.LATENCY
+    """Cycles from the decision of a last step to its result in the registers."""
+
+    def __init__(self, config: ArrayConfig):
+        self._config = config
+        self.credit_at = max(config.drain_cycles - self.ISSUE_TO_RESULT - 1, 0)
+        chains = data.ArrayLayout(data.ArrayLayout(hdl_shape(config.accumulator), GROUP), config.drain)
+        super().__init__({
+            "start": In(1),
+            "shape": In(LayerShape()),
+            "finished": In(1),
+            "info": In(GroupInfo(config)),
+            "heads": In(chains),
+            "shift": Out(1),
+            "credit": Out(1),
+            "write_en": In(1),
+            "write": In(RequantWrite(config)),
+            "o": Out(stream.Signature(PixelWord(config.output_word_channels * config.output.bits))),
+        })  # fmt: skip
+
+    def elaborate(self, platform):
+        config = self._config
+        m = Module()
+        cycles = config.drain_cycles
+        index_bits = (cycles - 1).bit_length()
+
+        # ---- when to drain ------------------------------------------------------------------------------
+        pending, busy, half = Signal(), Signal(), Signal()
+        occupied, filled = Signal(2), Signal(2)
+        index = Signal(index_bits)
+        waiting, current, info = (Signal(GroupInfo(config), name=n) for n in ("waiting", "current", "info_now"))
+        begin, active, last_cycle = Signal(), Signal(), Signal()
+        group_start = Signal()
+        m.d.comb += [
+            group_start.eq(waiting.tile == 0),
+            begin.eq(pending & ~busy & (~group_start | ~occupied.bit_select(half, 1))),
+            active.eq(busy | begin),
+            info.eq(Mux(busy, current, waiting)),
+            last_cycle.eq(active & (index == cycles - 1)),
+            self.shift.eq(active),
+            self.credit.eq(active & (index == self.credit_at)),
+        ]
+        with m.If(self.finished):
+            m.d.sync += [pending.eq(1), waiting.eq(self.info)]
+        with m.Elif(begin):
+            m.d.sync += pending.eq(0)
+        with m.If(active):
+            m.d.sync += [busy.eq(~last_cycle), index.eq(Mux(last_cycle, 0, index + 1))]
+        with m.If(begin):
+            m.d.sync += current.eq(waiting)
+            with m.If(group_start):
+                m.d.sync += occupied.bit_select(half, 1).eq(1)
+        with m.If(last_cycle & info.tile_last):
+            m.d.sync += half.eq(~half)
+
+        # ---- requantise ---------------------------------------------------------------------------------
+        m.submodules.parameters = parameters = memory.Memory(
+            shape=config.requant_word_bits,
+            depth=config.requant_depth,
+            init=[],
+            attrs={"macram.init_file": "requant.mem"},
+        )
+        read, reload = parameters.read_port(), parameters.write_port()
+        m.submodules.requant = requant = Requantiser(config)
+        heads = Signal.like(self.heads, reset_less=True)
+        m.d.comb += [
+            reload.addr.eq(self.write.addr),
+            reload.data.eq(self.write.data),
+            reload.en.eq(self.write_en),
+            read.addr.eq(Cat(index, info.tile)),
+            requant.parameters.eq(read.data),
+            requant.accumulators.eq(heads),
+        ]
+        m.d.sync += heads.eq(self.heads)
+
+        # ---- output buffer: written 4 pixels at a time, read one ----------------------------------------
+        write_bits = GROUP * config.drain * config.output.bits
+        words_per_half = config.max_c_out // config.output_word_channels
+        word_bits = (words_per_half - 1).bit_length()
+        m.submodules.buffer = buffer = memory.Memory(
+            shape=GROUP * write_bits, depth=2 << word_bits, init=[]
+        )
+        put = buffer.write_port(granularity=write_bits)
+        get = buffer.read_port()
+        delay = 1 + Requantiser.LATENCY
+        address = Cat(index[2:], info.tile)[:word_bits] if word_bits else Signal(0)
+        at = [Cat(address, half), index[:2], active, last_cycle & info.tile_last, info.slots, info.image_last]
+        for _ in range(delay):
+            stage = [Signal(len(value), reset_less=i not in (2, 3)) for i, value in enumerate(at)]
+            m.d.sync += [register.eq(value) for register, value in zip(stage, at)]
+            at = stage
+        put_address, put_lane, put_en, group_complete, put_slots, put_image_last = at
+        m.d.comb += [
+            put.addr.eq(put_address),
+            put.data.eq(requant.codes.replicate(GROUP)),
+            put.en.eq(Mux(put_en, 1 << put_lane, 0)),
+        ]
+
+        # ---- read in pixel order ------------------------------------------------------------------------
+        slots, image_last = (Signal(GROUP, name=f"slots{h}") for h in range(2)), Signal(2)
+        slots = list(slots)
+        out_half, slot, word = Signal(), Signal(range(GROUP)), Signal(12)
+        todo = Signal(GROUP)
+        word_last, pixel_after, advance, fetch, half_done = (
+            Signal(name=n) for n in ("word_last", "pixel_after", "advance", "fetch", "half_done")
+        )
+        valid = Signal()
+        meta = Signal(PixelWord(1))
+        slot_read = Signal(range(GROUP))
+        m.d.comb += [
+            todo.eq(Mux(out_half, slots[1], slots[0]) >> slot),
+            word_last.eq(word + 1 == self.shape.output_words),
+            pixel_after.eq(todo[1:].any()),
+            advance.eq(~valid | self.o.ready),
+            fetch.eq(filled.bit_select(out_half, 1) & advance),
+            half_done.eq(fetch & (word_last | ~todo[0]) & ~pixel_after),
+            get.addr.eq(Cat(word[:word_bits], out_half)),
+            get.en.eq(advance),
+        ]
+        with m.If(advance):
+            m.d.sync += [
+                valid.eq(fetch & todo[0]),
+                slot_read.eq(slot),
+                meta.pixel_last.eq(word_last),
+                meta.last.eq(image_last.bit_select(out_half, 1) & ~pixel_after),
+            ]
+        with m.If(fetch):
+            with m.If(~todo[0] | word_last):
+                m.d.sync += [word.eq(0), slot.eq(slot + 1)]
+            with m.Else():
+                m.d.sync += word.eq(word + 1)
+        with m.If(half_done):
+            m.d.sync += [
+                slot.eq(0), word.eq(0), out_half.eq(~out_half),
+                filled.bit_select(out_half, 1).eq(0), occupied.bit_select(out_half, 1).eq(0),
+            ]  # fmt: skip
+        with m.If(group_complete):
+            filled_half = put_address[-1]
+            m.d.sync += [
+                filled.bit_select(filled_half, 1).eq(1),
+                image_last.bit_select(filled_half, 1).eq(put_image_last),
+            ]
+            for h in range(2):
+                with m.If(filled_half == h):
+                    m.d.sync += slots[h].eq(put_slots)
+
+        # A memory word is [drain cycle mod 4][slot][channel]; a pixel's word takes its slot out of all four.
+        lane_bits = config.drain * config.output.bits
+        with m.Switch(slot_read):
+            for s in range(GROUP):
+                with m.Case(s):
+                    parts = [
+                        get.data[d * write_bits + s * lane_bits : d * write_bits + (s + 1) * lane_bits]
+                        for d in range(GROUP)
+                    ]
+                    m.d.comb += self.o.payload.data.eq(Cat(*parts))
+        m.d.comb += [
+            self.o.valid.eq(valid),
+            self.o.payload.pixel_last.eq(meta.pixel_last),
+            self.o.payload.last.eq(meta.last),
+        ]
+        with m.If(self.start):
+            m.d.sync += [pending.eq(0), busy.eq(0), index.eq(0), occupied.eq(0), filled.eq(0), valid.eq(0)]
+        return m

@@ -1,0 +1,183 @@
+"""The step sequencer: which weight word meets which four pixels in which cycle."""
+
+from amaranth.hdl import Module, Mux, Signal, signed
+from amaranth.lib import data, wiring
+from amaranth.lib.wiring import In, Out
+from macram.spec import GROUP, TAPS, ArrayConfig
+
+from macram_hw.line_buffer import ROWS_HELD, LineRead
+from macram_hw.shape import LayerShape
+from macram_hw.unit import AccumulateControl
+
+__all__ = ["GroupInfo", "Sequencer", "Step"]
+
+
+class GroupInfo(data.StructLayout):
+    """What the drain must know of a finished (group, tile).
+
+    Fields:
+        tile: output-channel tile. tile_last: last tile of the group.
+        slots: which of the result's 4 slots are pixels of the image.
+        image_last: the last group of the image.
+    """
+
+    def __init__(self, config: ArrayConfig):
+        super().__init__({
+            "tile": max(1, (config.max_tiles - 1).bit_length()), "tile_last": 1, "slots": GROUP, "image_last": 1,
+        })  # fmt: skip
+
+
+class Step(data.StructLayout):
+    """One compute step: a line-buffer read, a weight address, what the accumulators do, and what follows."""
+
+    def __init__(self, config: ArrayConfig):
+        super().__init__({
+            "read": LineRead(config),
+            "weight": (config.weight_depth - 1).bit_length(),
+            "control": AccumulateControl(config),
+            "info": GroupInfo(config),
+        })  # fmt: skip
+
+
+class Sequencer(wiring.Component):
+    """Walks rows, groups, tiles, kernel rows, channel blocks, innermost last; one step per cycle.
+
+    A 3x3 layer takes ``height * groups * tiles * 3 * blocks`` steps. Result slot 0 of the first group of a row is
+    the last column of the row before, if the width is a multiple of 4; for the last row one flush step per
+    tile brings it out. A group starts only once its pixels, and those of the row below, are in the line buffer;
+    its last step waits for a drain credit. Steps leave one cycle after they are decided.
+
+    Members:
+        start: In, begin an image. shape: In, constant during a run.
+        group_written, image_written: In, from the line buffer. retire: Out, to it.
+        credit: In, strobe: the result registers will be free in time for one more last step.
+        valid, step: Out. busy: Out, steps remain.
+        issue, starved, blocked: Out, this cycle decided a multiply-accumulate step, lacked pixels, lacked credit.
+        flushing: Out, only flush steps remain.
+    """
+
+    def __init__(self, config: ArrayConfig):
+        self._config = config
+        super().__init__({
+            "start": In(1),
+            "shape": In(LayerShape()),
+            "group_written": In(1),
+            "image_written": In(1),
+            "retire": Out(1),
+            "credit": In(1),
+            "valid": Out(1),
+            "step": Out(Step(config)),
+            "busy": Out(1),
+            "issue": Out(1),
+            "starved": Out(1),
+            "blocked": Out(1),
+            "flushing": Out(1),
+        })  # fmt: skip
+
+    def elaborate(self, platform):
+        config, shape = self._config, self.shape
+        m = Module()
+
+        row, group, tile = Signal(16), Signal(14), Signal(12)
+        kernel_row, block = Signal(range(TAPS)), Signal(14)
+        flushing = self.flushing
+        # Line-buffer words before this group, and weight words before this step.
+        group_base = Signal(range(config.row_words // config.ingest + 1))
+        weight = Signal(range(config.weight_depth + 1))
+
+        first_of_group, first, last = Signal(), Signal(), Signal()
+        block_last, tile_last, group_last, row_last = Signal(), Signal(), Signal(), Signal()
+        m.d.comb += [
+            block_last.eq(flushing | (block + 1 == shape.blocks)),
+            first.eq(flushing | ((kernel_row == 0) & (block == 0))),
+            last.eq(flushing | ((kernel_row == TAPS - 1) & block_last)),
+            first_of_group.eq(first & (tile == 0)),
+            tile_last.eq(tile + 1 == shape.tiles),
+            group_last.eq(group + 1 == shape.groups),
+            row_last.eq(row + 1 == shape.height),
+        ]
+
+        # Groups written beyond what the current group needs; it needs the row below down to itself.
+        ahead = Signal(signed(len(group) + 3))
+        credits = Signal()
+        pixels_ready = Signal()
+        step = Signal()
+        m.d.comb += [
+            pixels_ready.eq(~first_of_group | self.image_written | (ahead > 0) | flushing),
+            self.starved.eq(self.busy & ~pixels_ready),
+            self.blocked.eq(self.busy & pixels_ready & last & ~credits),
+            step.eq(self.busy & pixels_ready & ~(last & ~credits)),
+            self.issue.eq(step & ~flushing),
+            self.retire.eq(self.issue & last & tile_last & group_last),
+        ]
+        m.d.sync += ahead.eq(ahead + self.group_written - (step & first_of_group & ~flushing))
+        with m.If(self.credit):
+            m.d.sync += credits.eq(1)
+        with m.Elif(step & last):
+            m.d.sync += credits.eq(0)
+
+        # ---- advance ------------------------------------------------------------------------------------
+        with m.If(step):
+            m.d.sync += [block.eq(block + 1), weight.eq(weight + 1)]
+            with m.If(block_last):
+                m.d.sync += [block.eq(0), kernel_row.eq(kernel_row + 1)]
+            with m.If(last):
+                m.d.sync += [kernel_row.eq(0), tile.eq(tile + 1)]
+                with m.If(tile_last):
+                    m.d.sync += [tile.eq(0), weight.eq(0), group.eq(group + 1)]
+                    m.d.sync += group_base.eq(group_base + shape.ingest_words)
+                    with m.If(group_last | flushing):
+                        m.d.sync += [group.eq(0), group_base.eq(0), row.eq(row + 1)]
+                        with m.If(row_last | flushing):
+                            with m.If((shape.tail == 0) & ~flushing):
+                                m.d.sync += flushing.eq(1)
+                            with m.Else():
+                                m.d.sync += [self.busy.eq(0), flushing.eq(0)]
+        with m.If(self.start):
+            m.d.sync += [
+                row.eq(0), group.eq(0), tile.eq(0), kernel_row.eq(0), block.eq(0), flushing.eq(0),
+                group_base.eq(0), weight.eq(0), self.busy.eq(1), credits.eq(1),
+                ahead.eq(Mux(shape.height == 1, 0, -shape.groups)),
+            ]  # fmt: skip
+
+        # ---- the step that leaves -----------------------------------------------------------------------
+        source_row = Signal(signed(18))
+        row_exists = Signal()
+        pixels = Signal(GROUP)
+        ingest_bits = (config.ingest - 1).bit_length()
+        m.d.comb += [
+            source_row.eq(row + kernel_row - 1),
+            row_exists.eq((source_row >= 0) & (source_row < shape.height) & ~flushing),
+            pixels.eq(Mux(group_last & (shape.tail != 0), (1 << shape.tail) - 1, 0b1111)),
+        ]
+        edge = Signal()
+        slots = Signal(GROUP)
+        m.d.comb += edge.eq(group == 0)
+        # Slot s is column 4 g - 1 + s; slot 0 of the first group is the row before's last column.
+        m.d.comb += [
+            slots[0].eq(Mux(edge, (shape.tail == 0) & (row != 0), 1)),
+            slots[1].eq(~flushing),
+            slots[2].eq(~flushing & pixels[1]),
+            slots[3].eq(~flushing & pixels[2]),
+        ]
+        out = self.step
+        m.d.sync += [
+            self.valid.eq(step),
+            out.read.slot.eq(source_row[: (ROWS_HELD - 1).bit_length()]),
+            out.read.address.eq(group_base + (block >> ingest_bits)),
+            out.read.bank.eq(block[:ingest_bits] if ingest_bits else 0),
+            out.read.mask.eq(Mux(row_exists, pixels, 0)),
+            out.weight.eq(weight),
+            out.control.en.eq(step),
+            out.control.first.eq(first),
+            out.control.last.eq(last),
+            out.control.edge.eq(edge),
+            out.control.tile.eq(tile),
+            out.info.tile.eq(tile),
+            out.info.tile_last.eq(tile_last),
+            out.info.slots.eq(slots),
+            out.info.image_last.eq(
+                flushing | (row_last & group_last & (shape.tail != 0))
+            ),
+        ]
+        return m

@@ -1,0 +1,177 @@
+"""A PIM unit: a weight memory, row engines beside it, lane sums, accumulators."""
+
+from amaranth.hdl import Module, Mux, Signal
+from amaranth.lib import data, memory, wiring
+from amaranth.lib.wiring import In, Out
+from macram.spec import GROUP, LANES, TAPS, ArrayConfig
+
+from macram_hw.engine import RowEngine, adder_tree, hdl_shape, lane_shape
+
+__all__ = ["AccumulateControl", "PimUnit", "UnitCore", "WeightWrite"]
+
+
+class AccumulateControl(data.StructLayout):
+    """What the accumulators do with the lane sums of this cycle.
+
+    Fields:
+        en: add the lane sums.
+        first: start from the carried lanes of this tile instead of from the running sums.
+        last: the sums are complete: move pixels to the result registers, keep lanes 4 and 5 as carry.
+        edge: first group of a row. Column -1 does not exist: lane 0 is ignored, and the result's slot 0 is
+            the last column of the previous row, which only waited in the carry.
+        tile: output-channel tile, selects the carry.
+    """
+
+    def __init__(self, config: ArrayConfig):
+        super().__init__({
+            "en": 1, "first": 1, "last": 1, "edge": 1, "tile": max(1, (config.max_tiles - 1).bit_length()),
+        })  # fmt: skip
+
+
+class WeightWrite(data.StructLayout):
+    """A write to a weight memory."""
+
+    def __init__(self, config: ArrayConfig):
+        super().__init__({"addr": (config.weight_depth - 1).bit_length(), "data": config.weight_word_bits})
+
+
+def _datapath_members(config: ArrayConfig) -> dict:
+    results = data.ArrayLayout(hdl_shape(config.accumulator), GROUP)
+    return {
+        "activations": In(config.line_word_bits),
+        "control": In(AccumulateControl(config)),
+        "shift": In(1),
+        "chain_i": In(results),
+        "chain_o": Out(results),
+    }
+
+
+class UnitCore(wiring.Component):
+    """The arithmetic of a unit: ``rows`` row engines, a 6-lane adder tree, accumulators, a result register.
+
+    Latency from ``activations`` to ``chain_o`` is `LATENCY` cycles, throughput one step per cycle. It never
+    stalls by itself: whoever sends ``last`` must know that the result register will have been shifted out.
+
+    Members:
+        weight: In, one weight word, one cycle before the activations it belongs to.
+        activations: In, 4 pixels x ``rows`` channels, pixel-major.
+        control: In, `AccumulateControl`, two cycles after the activations it belongs to.
+        shift: In, load the result register from ``chain_i``.
+        chain_i, chain_o: the result register's neighbours; 4 accumulators, output column ``4 g - 1`` first.
+    """
+
+    CONTROL_DELAY = RowEngine.LATENCY + 1
+    LATENCY = CONTROL_DELAY + 1
+
+    def __init__(self, config: ArrayConfig):
+        self._config = config
+        super().__init__({"weight": In(config.weight_word_bits), **_datapath_members(config)})
+
+    def elaborate(self, platform):
+        config = self._config
+        acc = hdl_shape(config.accumulator)
+        m = Module()
+
+        weight = Signal(config.weight_word_bits, reset_less=True)
+        m.d.sync += weight.eq(self.weight)
+
+        tap_bits, act_bits = TAPS * config.weight.bits, config.input.bits
+        engines = []
+        for row in range(config.rows):
+            engine = RowEngine(config)
+            m.submodules[f"engine{row}"] = engine
+            engines.append(engine)
+            m.d.comb += engine.taps.eq(weight[row * tap_bits : (row + 1) * tap_bits])
+            for pixel in range(GROUP):
+                at = (pixel * config.rows + row) * act_bits
+                m.d.comb += engine.pixels[pixel].eq(self.activations[at : at + act_bits])
+
+        sums = [Signal(lane_shape(config, config.rows), name=f"sum{k}", reset_less=True) for k in range(LANES)]
+        for k, total in enumerate(sums):
+            m.d.sync += total.eq(adder_tree([engine.lanes[k] for engine in engines]))
+
+        control = self.control
+        carry_shape = data.ArrayLayout(acc, LANES - GROUP)
+        m.submodules.carry = carry = memory.Memory(shape=carry_shape, depth=config.max_tiles, init=[])
+        carried = carry.read_port(domain="comb")
+        kept = carry.write_port()
+
+        running = [Signal(acc, name=f"acc{k}", reset_less=True) for k in range(LANES)]
+        totals = []
+        for k in range(LANES):
+            if k == 0:
+                start, addend = carried.data[0], Mux(control.edge, 0, sums[0])
+            elif k == 1:
+                start, addend = Mux(control.edge, 0, carried.data[1]), sums[1]
+            else:
+                start, addend = 0, sums[k]
+            total = Signal(acc, name=f"total{k}")
+            m.d.comb += total.eq(Mux(control.first, start, running[k]) + addend)
+            totals.append(total)
+            with m.If(control.en):
+                m.d.sync += running[k].eq(total)
+
+        done = Signal()
+        m.d.comb += [
+            done.eq(control.en & control.last),
+            carried.addr.eq(control.tile),
+            kept.addr.eq(control.tile),
+            kept.en.eq(done),
+            kept.data[0].eq(totals[GROUP]),
+            kept.data[1].eq(totals[GROUP + 1]),
+        ]
+        result = Signal(data.ArrayLayout(acc, GROUP), reset_less=True)
+        with m.If(done):
+            m.d.sync += [result[slot].eq(totals[slot]) for slot in range(GROUP)]
+        with m.Elif(self.shift):
+            m.d.sync += result.eq(self.chain_i)
+        m.d.comb += self.chain_o.eq(result)
+        return m
+
+
+class PimUnit(wiring.Component):
+    """A weight memory with a `UnitCore` beside it, so that a weight travels no further than one word line.
+
+    Members as `UnitCore`, but the weight word comes from ``address``, one cycle before the line-buffer word,
+    and ``write_en``/``write`` reload the memory.
+    """
+
+    def __init__(self, config: ArrayConfig, *, index: int, init: list[int] | None = None):
+        self._config = config
+        self._init = init or []
+        self._index = index
+        super().__init__({
+            "address": In((config.weight_depth - 1).bit_length()),
+            "write_en": In(1),
+            "write": In(WeightWrite(config)),
+            **_datapath_members(config),
+        })  # fmt: skip
+
+    def elaborate(self, platform):
+        config = self._config
+        m = Module()
+        m.submodules.weights = weights = memory.Memory(
+            shape=config.weight_word_bits,
+            depth=config.weight_depth,
+            init=self._init,
+            attrs={"macram.init_file": f"unit_{self._index:03d}.mem"},
+        )
+        read, write = weights.read_port(), weights.write_port()
+        m.d.comb += [
+            read.addr.eq(self.address),
+            write.addr.eq(self.write.addr),
+            write.data.eq(self.write.data),
+            write.en.eq(self.write_en),
+        ]
+        core = UnitCore(config)
+        # The export makes this one shared Verilog module; elsewhere it is elaborated in place.
+        m.submodules.core = platform.get_unit(core) if hasattr(platform, "get_unit") else core
+        m.d.comb += [
+            core.weight.eq(read.data),
+            core.activations.eq(self.activations),
+            core.control.eq(self.control),
+            core.shift.eq(self.shift),
+            core.chain_i.eq(self.chain_i),
+            self.chain_o.eq(core.chain_o),
+        ]
+        return m
