@@ -3,8 +3,8 @@
 from amaranth.hdl import Module, Mux, Signal
 from amaranth.lib import stream, wiring
 from amaranth.lib.wiring import In, Out, connect
-from macram.spec import ArrayConfig, Error
 
+from macram.spec import ArrayConfig, Error
 from macram_hw.drain import Drain
 from macram_hw.gearbox import Beat, EmitGearbox, IngestGearbox
 from macram_hw.line_buffer import LineBuffer
@@ -71,7 +71,8 @@ class FrameCheck(wiring.Component):
 class Array(wiring.Component):
     """The PIM array between three streams, commanded by strobes.
 
-    From START, `ShapeDecoder.LATENCY` + 1 cycles pass before the first input beat is accepted. The figures of a run
+    From START, `ShapeDecoder.LATENCY` + 1 cycles pass before the first input beat is accepted. The
+    figures of a run
     without stalls are in `macram.perf`.
 
     Members:
@@ -86,7 +87,8 @@ class Array(wiring.Component):
         self._config = config
         beat = Beat(config.stream_bits)
         super().__init__({
-            "height": In(16), "width": In(16), "c_in": In(16), "c_out": In(16), "mode": In(32), "words": In(16),
+            "height": In(16), "width": In(16), "c_in": In(16), "c_out": In(16), "mode": In(32),
+            "words": In(16),
             "command": In(3),
             "busy": Out(1),
             "done": Out(1),
@@ -209,7 +211,7 @@ class Array(wiring.Component):
                 m.d.sync += self.error.eq(loader.error)
 
     def _counters(self, m, start, sequencer):
-        """Every cycle from the first accepted input beat to the last output beat is counted under one cause."""
+        """Count every cycle from the first accepted input beat to the last output beat under one cause."""
         seen, issued, ended = Signal(), Signal(), Signal()
         counting, first_beat, last_beat = Signal(), Signal(), Signal()
         m.d.comb += [

@@ -3,8 +3,8 @@
 from amaranth.hdl import Cat, Module, Mux, Signal
 from amaranth.lib import data, memory, stream, wiring
 from amaranth.lib.wiring import In, Out
-from macram.spec import GROUP, ArrayConfig
 
+from macram.spec import GROUP, ArrayConfig
 from macram_hw.engine import hdl_shape
 from macram_hw.gearbox import PixelWord
 from macram_hw.requant import Requantiser
@@ -23,11 +23,11 @@ class RequantWrite(data.StructLayout):
 
 
 class Drain(wiring.Component):
-    """Shifts finished sums out of the units, ``drain`` channels x 4 pixels per cycle, and orders them by pixel.
+    """Requantises finished sums, ``drain`` channels x 4 pixels per cycle, and puts them in pixel order.
 
     One (group, tile) takes ``drain_cycles`` cycles. A group goes into one half of the output buffer while the
     other half is read; a group starts draining only when its half is free, and then never stops, so the
-    credit can be given back early: `CREDIT_AT` cycles into the drain.
+    credit can be given back early: `credit_at` cycles into the drain.
 
     Members:
         shape: In, constant during a run.
@@ -68,7 +68,9 @@ class Drain(wiring.Component):
         pending, busy, half = Signal(), Signal(), Signal()
         occupied, filled = Signal(2), Signal(2)
         index = Signal(index_bits)
-        waiting, current, info = (Signal(GroupInfo(config), name=n) for n in ("waiting", "current", "info_now"))
+        waiting, current, info = (
+            Signal(GroupInfo(config), name=n) for n in ("waiting", "current", "info_now")
+        )
         begin, active, last_cycle = Signal(), Signal(), Signal()
         group_start = Signal()
         m.d.comb += [
@@ -117,9 +119,7 @@ class Drain(wiring.Component):
         write_bits = GROUP * config.drain * config.output.bits
         words_per_half = config.max_c_out // config.output_word_channels
         word_bits = (words_per_half - 1).bit_length()
-        m.submodules.buffer = buffer = memory.Memory(
-            shape=GROUP * write_bits, depth=2 << word_bits, init=[]
-        )
+        m.submodules.buffer = buffer = memory.Memory(shape=GROUP * write_bits, depth=2 << word_bits, init=[])
         put = buffer.write_port(granularity=write_bits)
         get = buffer.read_port()
         delay = 1 + Requantiser.LATENCY
@@ -127,7 +127,7 @@ class Drain(wiring.Component):
         at = [Cat(address, half), index[:2], active, last_cycle & info.tile_last, info.slots, info.image_last]
         for _ in range(delay):
             stage = [Signal(len(value), reset_less=i not in (2, 3)) for i, value in enumerate(at)]
-            m.d.sync += [register.eq(value) for register, value in zip(stage, at)]
+            m.d.sync += [register.eq(value) for register, value in zip(stage, at, strict=True)]
             at = stage
         put_address, put_lane, put_en, group_complete, put_slots, put_image_last = at
         m.d.comb += [

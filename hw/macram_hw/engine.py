@@ -3,6 +3,7 @@
 from amaranth.hdl import Module, Shape, signed, unsigned
 from amaranth.lib import data, wiring
 from amaranth.lib.wiring import In, Out
+
 from macram.spec import GROUP, LANES, TAPS, ArrayConfig, IntFormat, accumulator_range, signed_format_for
 
 __all__ = ["RowEngine", "adder_tree", "hdl_shape", "lane_shape"]
@@ -21,7 +22,7 @@ def lane_shape(config: ArrayConfig, engines: int = 1) -> Shape:
 def adder_tree(values: list):
     """Balanced sum of ``values``."""
     while len(values) > 1:
-        pairs = [a + b for a, b in zip(values[::2], values[1::2])]
+        pairs = [a + b for a, b in zip(values[::2], values[1::2], strict=False)]
         values = pairs + values[len(values) & ~1 :]
     return values[0]
 
@@ -52,8 +53,6 @@ class RowEngine(wiring.Component):
     def elaborate(self, platform):
         m = Module()
         for k in range(LANES):
-            products = [
-                self.pixels[k - j] * self.taps[j] for j in range(TAPS) if 0 <= k - j < GROUP
-            ]
+            products = [self.pixels[k - j] * self.taps[j] for j in range(TAPS) if 0 <= k - j < GROUP]
             m.d.sync += self.lanes[k].eq(adder_tree(products))
         return m

@@ -3,8 +3,8 @@
 from amaranth.hdl import Cat, Module, Mux, Signal
 from amaranth.lib import data, memory, stream, wiring
 from amaranth.lib.wiring import In, Out
-from macram.spec import GROUP, ArrayConfig
 
+from macram.spec import GROUP, ArrayConfig
 from macram_hw.shape import LayerShape
 
 __all__ = ["ROWS_HELD", "LineBuffer", "LineRead"]

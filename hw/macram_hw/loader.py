@@ -3,8 +3,8 @@
 from amaranth.hdl import Module, Mux, Signal
 from amaranth.lib import stream, wiring
 from amaranth.lib.wiring import In, Out
-from macram.spec import ArrayConfig, Error, ceil_div
 
+from macram.spec import ArrayConfig, Error, ceil_div
 from macram_hw.drain import RequantWrite
 from macram_hw.gearbox import Beat
 from macram_hw.unit import WeightWrite
@@ -15,7 +15,8 @@ __all__ = ["Loader"]
 class Loader(wiring.Component):
     """Words arrive low beat first, each padded to whole beats; weights go unit by unit, in address order.
 
-    Throughput is one beat per cycle; the stream is never stalled while a load runs and always while none does.
+    Throughput is one beat per cycle; the stream is never stalled while a load runs and always while
+    none does.
     TLAST must be on the last beat and nowhere else.
 
     Members:

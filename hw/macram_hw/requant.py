@@ -3,9 +3,9 @@
 from amaranth.hdl import Module, Mux, Signal, signed
 from amaranth.lib import data, wiring
 from amaranth.lib.wiring import In, Out
+
 from macram.spec import GROUP, ArrayConfig
 from macram.spec.array import MULT_BITS, OFFSET_BITS, SHIFT_BITS
-
 from macram_hw.engine import adder_tree, hdl_shape
 
 __all__ = ["Requantiser"]
@@ -15,7 +15,8 @@ class Requantiser(wiring.Component):
     """``drain`` channels x 4 pixels per cycle, each channel with its own parameters.
 
     Up to 4 output bits: code = number of thresholds not above the accumulator, inverted bit by bit where the
-    channel's scale is negative; for signed outputs the code's top bit is flipped, which subtracts half the range.
+    channel's scale is negative; for signed outputs the code's top bit is flipped, which subtracts half
+    the range.
     Above: code = clip((accumulator * mult + offset) >> shift), floor.
 
     Latency is `LATENCY` cycles, throughput one word per cycle; it never stalls.

@@ -3,8 +3,8 @@
 from amaranth.hdl import Module, Mux, Signal, signed
 from amaranth.lib import data, wiring
 from amaranth.lib.wiring import In, Out
-from macram.spec import GROUP, TAPS, ArrayConfig
 
+from macram.spec import GROUP, TAPS, ArrayConfig
 from macram_hw.line_buffer import ROWS_HELD, LineRead
 from macram_hw.shape import LayerShape
 from macram_hw.unit import AccumulateControl
@@ -23,7 +23,8 @@ class GroupInfo(data.StructLayout):
 
     def __init__(self, config: ArrayConfig):
         super().__init__({
-            "tile": max(1, (config.max_tiles - 1).bit_length()), "tile_last": 1, "slots": GROUP, "image_last": 1,
+            "tile": max(1, (config.max_tiles - 1).bit_length()), "tile_last": 1, "slots": GROUP,
+            "image_last": 1,
         })  # fmt: skip
 
 
@@ -42,9 +43,11 @@ class Step(data.StructLayout):
 class Sequencer(wiring.Component):
     """Walks rows, groups, tiles, kernel rows, channel blocks, innermost last; one step per cycle.
 
-    A 3x3 layer takes ``height * groups * tiles * 3 * blocks`` steps. Result slot 0 of the first group of a row is
+    A 3x3 layer takes ``height * groups * tiles * 3 * blocks`` steps. Result slot 0 of the first group
+    of a row is
     the last column of the row before, if the width is a multiple of 4; for the last row one flush step per
-    tile brings it out. A group starts only once its pixels, and those of the row below, are in the line buffer;
+    tile brings it out. A group starts only once its pixels, and those of the row below, are in the line
+    buffer;
     its last step waits for a drain credit. Steps leave one cycle after they are decided.
 
     Members:
@@ -52,7 +55,8 @@ class Sequencer(wiring.Component):
         group_written, image_written: In, from the line buffer. retire: Out, to it.
         credit: In, strobe: the result registers will be free in time for one more last step.
         valid, step: Out. busy: Out, steps remain.
-        issue, starved, blocked: Out, this cycle decided a multiply-accumulate step, lacked pixels, lacked credit.
+        issue, starved, blocked: Out, this cycle decided a multiply-accumulate step, lacked pixels,
+        lacked credit.
         flushing: Out, only flush steps remain.
     """
 
@@ -176,8 +180,6 @@ class Sequencer(wiring.Component):
             out.info.tile.eq(tile),
             out.info.tile_last.eq(tile_last),
             out.info.slots.eq(slots),
-            out.info.image_last.eq(
-                flushing | (row_last & group_last & (shape.tail != 0))
-            ),
+            out.info.image_last.eq(flushing | (row_last & group_last & (shape.tail != 0))),
         ]
         return m

@@ -3,6 +3,7 @@
 from amaranth.hdl import Module, Signal
 from amaranth.lib import data, wiring
 from amaranth.lib.wiring import In, Out
+
 from macram.spec import GROUP, TAPS, ArrayConfig, Error
 from macram.spec.registers import MODE_3X3
 
@@ -81,7 +82,7 @@ class ShapeDecoder(wiring.Component):
             shape.groups * shape.ingest_words > config.row_words // config.ingest,
         ]
         bad_shape = Signal(len(too_big))
-        m.d.comb += [bit.eq(flag) for bit, flag in zip(bad_shape, too_big)]
+        m.d.comb += [bit.eq(flag) for bit, flag in zip(bad_shape, too_big, strict=True)]
         with m.If(self.mode != MODE_3X3):
             m.d.sync += self.error.eq(Error.BAD_MODE)
         with m.Elif(bad_shape.any()):

@@ -3,11 +3,11 @@
 from amaranth.hdl import Module, Mux, Signal
 from amaranth.lib import data, memory, wiring
 from amaranth.lib.wiring import In, Out
-from macram.spec import GROUP, LANES, TAPS, ArrayConfig
 
+from macram.spec import GROUP, LANES, TAPS, ArrayConfig
 from macram_hw.engine import RowEngine, adder_tree, hdl_shape, lane_shape
 
-__all__ = ["AccumulateControl", "PimUnit", "UnitCore", "WeightWrite"]
+__all__ = ["AccumulateControl", "PimUnit", "UnitCore", "WeightWrite", "unit_signature"]
 
 
 class AccumulateControl(data.StructLayout):
@@ -46,6 +46,11 @@ def _datapath_members(config: ArrayConfig) -> dict:
     }
 
 
+def unit_signature(config: ArrayConfig) -> wiring.Signature:
+    """Ports of `UnitCore`."""
+    return wiring.Signature({"weight": In(config.weight_word_bits), **_datapath_members(config)})
+
+
 class UnitCore(wiring.Component):
     """The arithmetic of a unit: ``rows`` row engines, a 6-lane adder tree, accumulators, a result register.
 
@@ -65,7 +70,7 @@ class UnitCore(wiring.Component):
 
     def __init__(self, config: ArrayConfig):
         self._config = config
-        super().__init__({"weight": In(config.weight_word_bits), **_datapath_members(config)})
+        super().__init__(unit_signature(config))
 
     def elaborate(self, platform):
         config = self._config
@@ -86,7 +91,9 @@ class UnitCore(wiring.Component):
                 at = (pixel * config.rows + row) * act_bits
                 m.d.comb += engine.pixels[pixel].eq(self.activations[at : at + act_bits])
 
-        sums = [Signal(lane_shape(config, config.rows), name=f"sum{k}", reset_less=True) for k in range(LANES)]
+        sums = [
+            Signal(lane_shape(config, config.rows), name=f"sum{k}", reset_less=True) for k in range(LANES)
+        ]
         for k, total in enumerate(sums):
             m.d.sync += total.eq(adder_tree([engine.lanes[k] for engine in engines]))
 
@@ -163,9 +170,12 @@ class PimUnit(wiring.Component):
             write.data.eq(self.write.data),
             write.en.eq(self.write_en),
         ]
-        core = UnitCore(config)
-        # The export makes this one shared Verilog module; elsewhere it is elaborated in place.
-        m.submodules.core = platform.get_unit(core) if hasattr(platform, "get_unit") else core
+        if hasattr(platform, "unit_instance"):
+            # The export instantiates one shared Verilog module; elsewhere the core is elaborated in place.
+            core = unit_signature(config).create(path=("core",))
+            m.submodules.core = platform.unit_instance(core)
+        else:
+            m.submodules.core = core = UnitCore(config)
         m.d.comb += [
             core.weight.eq(read.data),
             core.activations.eq(self.activations),

@@ -1,0 +1,127 @@
+"""Amaranth -> Verilog without weights: one file per design, memories and the unit as shared modules."""
+
+import hashlib
+import json
+import re
+from dataclasses import dataclass
+from importlib import resources
+from pathlib import Path
+
+import amaranth
+from amaranth.back import verilog
+from amaranth.hdl import ClockSignal, Instance, ResetSignal, Value
+from amaranth.lib import memory
+from amaranth.lib.wiring import In
+
+from macram.spec import ArrayConfig
+from macram_hw.top import Top
+from macram_hw.unit import UnitCore
+
+__all__ = ["TOPLEVEL", "Export", "export_verilog"]
+
+TOPLEVEL = "macram_top"
+UNIT = "macram_unit"
+FORMAT = 1
+
+
+@dataclass(frozen=True)
+class Export:
+    """What `export_verilog` wrote: ``sources`` in compile order, the lint waivers among them."""
+
+    directory: Path
+    sources: list[Path]
+    toplevel: str = TOPLEVEL
+
+
+class _ExportPlatform:
+    """Replaces memories by ``macram_ram`` instances and every unit core by an instance of one shared module.
+
+    ``macram_ram`` reads its contents from a file named by a parameter, so the Verilog carries no weights.
+    """
+
+    def get_memory(self, store: memory.Memory):
+        (write,), (read,) = store.write_ports, store.read_ports
+        width = Value.cast(write.data).shape().width
+        module = "macram_lutram" if read.domain == "comb" else "macram_ram"
+        read_enable = {} if read.domain == "comb" else {"i_read_en": read.en}
+        return Instance(
+            module,
+            p_WIDTH=width,
+            p_DEPTH=store.depth,
+            p_ADDR_BITS=max(1, (store.depth - 1).bit_length()),
+            p_LANES=len(write.en),
+            p_INIT_FILE=store.attrs.get("macram.init_file", ""),
+            i_clk=ClockSignal(),
+            i_write_en=write.en,
+            i_write_addr=write.addr,
+            i_write_data=Value.cast(write.data),
+            i_read_addr=read.addr,
+            o_read_data=Value.cast(read.data),
+            **read_enable,
+        )
+
+    @staticmethod
+    def unit_instance(core) -> Instance:
+        """An instance of the unit's Verilog module on the interface ``core``."""
+        ports = {
+            f"{'i' if member.flow == In else 'o'}_{name}": Value.cast(getattr(core, name))
+            for name, member in core.signature.members.items()
+        }
+        return Instance(UNIT, i_clk=ClockSignal(), i_rst=ResetSignal(), **ports)
+
+
+def _to_verilog(component, name: str) -> str:
+    text = verilog.convert(
+        component, name=name, platform=_ExportPlatform(), emit_src=False, strip_internal_attrs=True
+    )
+    # The banner names the generator's build; the same configuration must give the same bytes.
+    return re.sub(r"\A/\*.*?\*/\n", "", text, count=1)
+
+
+def export_verilog(config: ArrayConfig, directory: Path, *, mem_dir: Path | None = None) -> Export:
+    """Write the array as Verilog, with the hand-written memories, lint waivers, file list and manifest.
+
+    The same configuration gives the same bytes; files whose text has not changed are left alone.
+
+    Args:
+        config: the array.
+        directory: made if missing.
+        mem_dir: where the ``.mem`` files lie, listed in the manifest with their hashes.
+    """
+    directory = Path(directory)
+    texts = {
+        "macram_top.v": _to_verilog(Top(config), TOPLEVEL),
+        "macram_unit.v": _to_verilog(UnitCore(config), UNIT),
+    }
+    hand_written = resources.files("macram_hw") / "verilog"
+    for name in ("macram_ram.v", "macram_lutram.v", "lint.vlt"):
+        texts[name] = (hand_written / name).read_text()
+    texts["macram_top.f"] = "\n".join(name for name in texts if name.endswith((".v", ".vlt"))) + "\n"
+    hashes = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in sorted(texts.items())}
+    if mem_dir is not None:
+        hashes |= {
+            f"mem/{path.name}": hashlib.sha256(path.read_bytes()).hexdigest()
+            for path in sorted(Path(mem_dir).glob("*.mem"))
+        }
+    manifest = {
+        "format": FORMAT,
+        "toplevel": TOPLEVEL,
+        "array": config.to_dict(),
+        "amaranth": amaranth.__version__,
+        "sha256": hashes,
+    }
+    texts["manifest.json"] = json.dumps(manifest, indent=2) + "\n"
+
+    directory.mkdir(parents=True, exist_ok=True)
+    for name, text in texts.items():
+        _write_if_changed(directory / name, text)
+    order = ("lint.vlt", "macram_ram.v", "macram_lutram.v", "macram_unit.v", "macram_top.v")
+    return Export(directory, [directory / name for name in order])
+
+
+def _write_if_changed(path: Path, text: str) -> None:
+    if path.exists() and path.read_text() == text:
+        return
+    draft = path.with_suffix(path.suffix + ".tmp")
+    draft.write_text(text)
+    draft.replace(path)

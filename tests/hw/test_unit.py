@@ -1,0 +1,93 @@
+"""Unit core: steps with carry between groups against a plain 1-D convolution over whole rows."""
+
+import numpy as np
+import pytest
+from stream_testing import simulate
+
+from macram.spec import GROUP, TAPS, ArrayConfig
+from macram_hw.unit import UnitCore
+
+CONFIG = ArrayConfig(
+    units=8, rows=2, drain=2, max_c_in=16, max_c_out=32, weight_depth=64, row_words=32, stream_bits=32
+)
+
+
+@pytest.mark.parametrize("kind", ["random", "most negative", "most positive", "zero"])
+def test_rows_of_several_tiles_interleave_without_mixing(kind):
+    """Two rows of 12 columns, 3 tiles, 2 steps per sum: all columns but the last of the last row appear."""
+    rng = np.random.default_rng(5)
+    rows, width, tiles, steps = 2, 12, 3, 2
+    groups = width // GROUP
+    if kind == "random":
+        acts = rng.integers(0, 8, (rows, steps, CONFIG.rows, width))
+        taps = rng.integers(-4, 4, (tiles, steps, CONFIG.rows, TAPS))
+    else:
+        value = {"most negative": -4, "most positive": 3, "zero": 0}[kind]
+        acts = np.full((rows, steps, CONFIG.rows, width), 7)
+        taps = np.full((tiles, steps, CONFIG.rows, TAPS), value)
+    # Reversed taps: column x gets pixel x + 1 with tap 0, pixel x with tap 1, pixel x - 1 with tap 2.
+    padded = np.pad(acts, ((0, 0),) * 3 + ((1, 1),))
+    expected = sum(
+        np.einsum("tsr,ysrx->ytx", taps[..., j], padded[..., 2 - j : 2 - j + width]) for j in range(TAPS)
+    )
+
+    plan = [
+        (y, g, t, s) for y in range(rows) for g in range(groups) for t in range(tiles) for s in range(steps)
+    ]
+    dut = UnitCore(CONFIG)
+    results = {}
+
+    async def bench(ctx):
+        depth = UnitCore.LATENCY + 1
+        for cycle in range(len(plan) + depth + 1):
+            if cycle >= depth and cycle - depth < len(plan):
+                y, g, t, s = plan[cycle - depth]
+                if s == steps - 1:
+                    results[y, g, t] = [ctx.get(dut.chain_o[i]) for i in range(GROUP)]
+            weight = 0
+            if cycle < len(plan):
+                _, _, t, s = plan[cycle]
+                for position, tap in enumerate(taps[t, s].reshape(-1)):
+                    weight |= (int(tap) & 7) << (3 * position)
+            ctx.set(dut.weight, weight)
+            word = 0
+            if 0 <= cycle - 1 < len(plan):
+                y, g, _, s = plan[cycle - 1]
+                for position, code in enumerate(acts[y, s, :, GROUP * g : GROUP * g + GROUP].T.reshape(-1)):
+                    word |= int(code) << (3 * position)
+            ctx.set(dut.activations, word)
+            at = cycle - 1 - UnitCore.CONTROL_DELAY
+            active = 0 <= at < len(plan)
+            ctx.set(dut.control.en, active)
+            if active:
+                _, g, t, s = plan[at]
+                ctx.set(dut.control.first, s == 0)
+                ctx.set(dut.control.last, s == steps - 1)
+                ctx.set(dut.control.edge, g == 0)
+                ctx.set(dut.control.tile, t)
+            await ctx.tick()
+
+    simulate(dut, bench)
+    checked = 0
+    for (y, g, t), slots in results.items():
+        for slot, value in enumerate(slots):
+            row, x = (y, GROUP * g - 1 + slot) if (g, slot) != (0, 0) else (y - 1, width - 1)
+            if row >= 0:
+                assert value == expected[row, t, x], (row, t, x)
+                checked += 1
+    assert checked == rows * tiles * width - tiles
+
+
+def test_the_result_register_shifts_from_its_neighbour():
+    dut = UnitCore(CONFIG)
+
+    async def bench(ctx):
+        for slot in range(GROUP):
+            ctx.set(dut.chain_i[slot], -5 - slot)
+        await ctx.tick()
+        assert [ctx.get(dut.chain_o[s]) for s in range(GROUP)] == [0] * GROUP
+        ctx.set(dut.shift, 1)
+        await ctx.tick()
+        assert [ctx.get(dut.chain_o[s]) for s in range(GROUP)] == [-5, -6, -7, -8]
+
+    simulate(dut, bench)
