@@ -1,0 +1,21 @@
+"""The golden model: what every layer computes, in NumPy integers."""
+
+from macram.golden.cases import KINDS, random_case
+from macram.golden.conv import conv2d
+from macram.golden.formula import float_code
+from macram.golden.requant import Distance, ShiftRequant, ThresholdRequant, derive_requant
+from macram.golden.run import accumulate, float_codes, run_layer
+
+__all__ = [
+    "KINDS",
+    "Distance",
+    "ShiftRequant",
+    "ThresholdRequant",
+    "accumulate",
+    "conv2d",
+    "derive_requant",
+    "float_code",
+    "float_codes",
+    "random_case",
+    "run_layer",
+]

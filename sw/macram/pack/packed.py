@@ -1,0 +1,158 @@
+"""A layer as memory words for one array, and its way into streams and files."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from macram.golden import ShiftRequant, ThresholdRequant, derive_requant
+from macram.layer_file import LayerCase
+from macram.pack.bits import Words, words_to_ints
+from macram.pack.files import read_folder, write_folder
+from macram.pack.layout import (
+    pack_requant,
+    pack_weights,
+    requant_words,
+    unpack_requant,
+    unpack_weights,
+)
+from macram.spec import ArrayConfig, ConvSpec, words_to_beats
+
+
+@dataclass(frozen=True, eq=False)
+class PackedLayer:
+    """The words of one layer, only as many as the layer needs; `macram.pack.layout` says what is where.
+
+    Attributes:
+        spec: the layer.
+        array: the array it is packed for.
+        weights: uint8 ``[units, weight_words, bytes]``, low byte first.
+        requant: uint8 ``[requant_words, bytes]``, low byte first.
+
+    Raises:
+        ValueError: the array does not admit the layer, or the number or size of the words does not fit.
+    """
+
+    spec: ConvSpec
+    array: ArrayConfig
+    weights: Words
+    requant: Words
+
+    def __post_init__(self) -> None:
+        array, spec = self.array, self.spec
+        array.check_admits(spec)
+        for name, width, depth in (
+            ("weights", array.weight_word_bits, (array.units, array.weight_words(spec))),
+            ("requant", array.requant_word_bits, (requant_words(spec, array),)),
+        ):
+            words: Words = getattr(self, name)
+            shape = (*depth, -(-width // 8))
+            if words.dtype != np.uint8 or words.shape != shape:
+                raise ValueError(f"{name} must be uint8 {list(shape)}, not {words.dtype} {list(words.shape)}")
+            if (words[..., -1] >> ((width - 1) % 8 + 1)).any():
+                raise ValueError(f"{name} words must have at most {width} bits")
+
+    @property
+    def requantiser(self) -> str:
+        """``"threshold"`` or ``"shift"``."""
+        return "threshold" if self.array.thresholds else "shift"
+
+    @property
+    def weight_words(self) -> int:
+        """Weight words of each unit: the value of PARAM_WORDS for loading weights."""
+        return int(self.weights.shape[1])
+
+    @property
+    def requant_words(self) -> int:
+        """Requantiser words: the value of PARAM_WORDS for loading the requantiser."""
+        return len(self.requant)
+
+    def unit_words(self, unit: int) -> list[int]:
+        """Weight words of one unit in address order."""
+        return words_to_ints(self.weights[unit])
+
+    def requant_ints(self) -> list[int]:
+        """Requantiser words in address order."""
+        return words_to_ints(self.requant)
+
+    def load_beats(self) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+        """Beats of the parameter stream that load this layer.
+
+        Returns:
+            Weights (all words of unit 0 in address order, then of unit 1, ...) and requantiser words in
+            address order, each ``[beats, stream_bits // 8]`` bytes, low byte first.
+        """
+        array = self.array
+        weights = words_to_ints(self.weights.reshape(-1, self.weights.shape[2]))
+        return (
+            words_to_beats(weights, array.weight_word_bits, array.stream_bits),
+            words_to_beats(self.requant_ints(), array.requant_word_bits, array.stream_bits),
+        )
+
+    def write(self, folder: Path) -> None:
+        """Write ``unit_000.mem`` ..., ``requant.mem``, the same as ``.coe``, and ``manifest.json``.
+
+        Every memory is filled to its full depth: weights with zeros, the requantiser with entries that give
+        the code field 0. The files are complete before the first of them appears in ``folder``, the
+        manifest comes last, and files of an earlier layer in the same folder go.
+
+        Raises:
+            ValueError: the folder cannot be written.
+        """
+        array = self.array
+        requant = unpack_requant(self.requant, self.spec, array)
+        deep = np.zeros((array.units, array.weight_depth, self.weights.shape[2]), np.uint8)
+        deep[:, : self.weight_words] = self.weights
+        memories = {f"unit_{unit:03d}": (deep[unit], array.weight_word_bits) for unit in range(array.units)}
+        memories["requant"] = (pack_requant(requant, array, array.requant_depth), array.requant_word_bits)
+        write_folder(Path(folder), self.spec, array, self.requantiser, memories)
+
+
+def pack_layer(case: LayerCase, array: ArrayConfig) -> PackedLayer:
+    """Weights and requantisation of a layer as the memory words of ``array``.
+
+    Raises:
+        ValueError: the array does not admit the layer; the line names the limit.
+    """
+    spec = case.spec
+    array.check_admits(spec)
+    requant = derive_requant(spec, case.scale, case.offset)
+    return PackedLayer(
+        spec,
+        array,
+        pack_weights(case.weights, array),
+        pack_requant(requant, array, requant_words(spec, array)),
+    )
+
+
+def unpack(packed: PackedLayer) -> tuple[NDArray[np.int64], ThresholdRequant | ShiftRequant]:
+    """Weights ``[c_out, c_in, 3, 3]`` and requantiser back from the words: the inverse of `pack_layer`.
+
+    Raises:
+        ValueError: the words hold requantiser parameters that no layer can have.
+    """
+    weights = unpack_weights(packed.weights, packed.spec, packed.array)
+    return weights, unpack_requant(packed.requant, packed.spec, packed.array)
+
+
+def read_packed(folder: Path) -> PackedLayer:
+    """Read what `PackedLayer.write` wrote, after checking the SHA-256 of every file.
+
+    Raises:
+        ValueError: one line naming the file: missing, changed, not listed, or not what the manifest says.
+    """
+    folder = Path(folder)
+    spec, array, memories = read_folder(folder)
+    weights = np.stack([memories[f"unit_{unit:03d}"] for unit in range(array.units)])
+    try:
+        return PackedLayer(
+            spec,
+            array,
+            np.ascontiguousarray(weights[:, : array.weight_words(spec)]),
+            np.ascontiguousarray(memories["requant"][: requant_words(spec, array)]),
+        )
+    except ValueError as error:
+        raise ValueError(f"{folder}: {error}") from error

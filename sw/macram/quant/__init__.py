@@ -1,0 +1,26 @@
+"""Quantisation-aware training graph, calibration, and lowering to integers."""
+
+from macram.quant.calibrate import calibrate_batch_norm, calibrate_steps
+from macram.quant.deploy import DeployedNetwork, differing_shares, host_codes, training_codes
+from macram.quant.fold import Affine, fold_batch_norm
+from macram.quant.lower import lower
+from macram.quant.lsq import LsqQuantizer
+from macram.quant.network import Precision, QuantDarkNet53
+from macram.quant.program import Program, run_golden
+
+__all__ = [
+    "Affine",
+    "DeployedNetwork",
+    "LsqQuantizer",
+    "Precision",
+    "Program",
+    "QuantDarkNet53",
+    "calibrate_batch_norm",
+    "calibrate_steps",
+    "differing_shares",
+    "fold_batch_norm",
+    "host_codes",
+    "lower",
+    "run_golden",
+    "training_codes",
+]

@@ -1,0 +1,134 @@
+"""A network as a list of integer operations on named code tensors, and its execution by the golden model.
+
+Every operation makes one tensor, named like the part of the network that it comes from. No torch here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from macram.golden import ShiftRequant, ThresholdRequant, conv2d
+from macram.spec import ConvSpec, IntFormat
+
+Codes = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ConvOp:
+    """Convolution of ``source``, then requantisation.
+
+    Attributes:
+        name: of the tensor made, ``[c_out, out_height, out_width]``.
+        source: name of the input, ``[c_in, height, width]``.
+        spec: shapes and formats.
+        weights: int64 codes ``[c_out, c_in, k, k]``.
+        scale: float64 ``[c_out]``; with ``offset`` the float formula of the layer.
+        offset: float64 ``[c_out]``.
+        requant: the integer form of the formula: thresholds to 4 bits, else multiplier and shift.
+    """
+
+    name: str
+    source: str
+    spec: ConvSpec
+    weights: Codes
+    scale: NDArray[np.float64]
+    offset: NDArray[np.float64]
+    requant: ThresholdRequant | ShiftRequant
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class LookupOp:
+    """Requantisation of an unsigned tensor through a table: ``table[code]``."""
+
+    name: str
+    source: str
+    table: Codes
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class AddOp:
+    """Residual sum ``min(stream + table[branch], ceiling)``; the table is in the stream's step."""
+
+    name: str
+    stream: str
+    branch: str
+    table: Codes
+    ceiling: int
+
+
+Op = ConvOp | LookupOp | AddOp
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Program:
+    """Operations in order of execution.
+
+    Attributes:
+        input: name of the tensor that the host provides.
+        input_format: its codes.
+        input_shape: ``(channels, height, width)``.
+        ops: each reads the input or a tensor made before it.
+    """
+
+    input: str
+    input_format: IntFormat
+    input_shape: tuple[int, int, int]
+    ops: tuple[Op, ...]
+
+    def conv(self, name: str) -> ConvOp:
+        """The convolution that makes tensor ``name``.
+
+        Raises:
+            ValueError: there is none.
+        """
+        for op in self.ops:
+            if op.name == name and isinstance(op, ConvOp):
+                return op
+        raise ValueError(f"the program has no convolution {name!r}")
+
+    def check_input(self, codes: NDArray[np.integer]) -> None:
+        """Refuses anything but integer codes of the input's shape and format.
+
+        Raises:
+            ValueError: wrong shape, type or range.
+        """
+        if codes.dtype.kind not in "iu" or codes.shape != self.input_shape:
+            raise ValueError(
+                f"{self.input} must be integers {list(self.input_shape)}, "
+                f"not {codes.dtype} {list(codes.shape)}"
+            )
+        if not self.input_format.holds(codes):
+            raise ValueError(
+                f"{self.input} must hold codes {self.input_format.lo}..{self.input_format.hi}, "
+                f"not {codes.min()}..{codes.max()}"
+            )
+
+
+def run_golden(program: Program, codes: NDArray[np.integer]) -> dict[str, Codes]:
+    """Every tensor of the program by the golden model, in NumPy integers.
+
+    Args:
+        program: what to run.
+        codes: the input, see `Program.input_shape`.
+
+    Returns:
+        int64 codes by name, the input first, then in order of ``program.ops``.
+
+    Raises:
+        ValueError: ``codes`` do not fit the program's input.
+    """
+    program.check_input(codes)
+    tensors: dict[str, Codes] = {program.input: codes.astype(np.int64)}
+    for op in program.ops:
+        match op:
+            case ConvOp():
+                acc = conv2d(tensors[op.source], op.weights, stride=op.spec.stride, padding=op.spec.padding)
+                tensors[op.name] = op.requant.apply(acc)
+            case LookupOp():
+                tensors[op.name] = op.table[tensors[op.source]]
+            case AddOp():
+                tensors[op.name] = np.minimum(tensors[op.stream] + op.table[tensors[op.branch]], op.ceiling)
+    return tensors
