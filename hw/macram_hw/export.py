@@ -14,6 +14,7 @@ from amaranth.lib import memory
 from amaranth.lib.wiring import In
 
 from macram.spec import ArrayConfig
+from macram.spec.registers import register_table
 from macram_hw.top import Top
 from macram_hw.unit import UnitCore
 
@@ -97,6 +98,7 @@ def export_verilog(config: ArrayConfig, directory: Path, *, mem_dir: Path | None
     for name in ("macram_ram.v", "macram_lutram.v", "lint.vlt"):
         texts[name] = (hand_written / name).read_text()
     texts["macram_top.f"] = "\n".join(name for name in texts if name.endswith((".v", ".vlt"))) + "\n"
+    texts["registers.md"] = register_table()
     hashes = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in sorted(texts.items())}
     if mem_dir is not None:
         hashes |= {

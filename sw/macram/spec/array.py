@@ -72,6 +72,10 @@ class ArrayConfig:
                 raise ValueError(f"{key} must be in {lo}..{hi}, not {value}")
         if self.engine not in ENGINES:
             raise ValueError(f"engine must be one of {', '.join(ENGINES)}, not {self.engine!r}")
+        for key in ("units", "rows", "drain"):
+            value = getattr(self, key)
+            if value & (value - 1):
+                raise ValueError(f"{key} must be a power of two, not {value}")
         for key in ("weight", "input", "output"):
             bits = getattr(self, key).bits
             if not 2 <= bits <= 8:
@@ -239,7 +243,10 @@ class ArrayConfig:
             ValueError: naming the file and the fault.
         """
         try:
-            return cls.from_dict(tomllib.loads(Path(path).read_text()).get("array", {}))
+            tables = tomllib.loads(Path(path).read_text())
+            if "array" not in tables:
+                raise ValueError("has no [array] table; put the fields under [array]")
+            return cls.from_dict(tables["array"])
         except (OSError, TypeError, ValueError) as error:
             raise ValueError(f"{path}: {error}") from error
 

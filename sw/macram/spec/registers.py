@@ -77,3 +77,22 @@ REGISTERS: tuple[Register, ...] = (
 
 BY_NAME: dict[str, Register] = {register.name: register for register in REGISTERS}
 ADDRESS_BITS = 7
+
+
+def register_table() -> str:
+    """The register map and the error codes as Markdown."""
+    lines = [
+        "# Register map",
+        "",
+        "AXI4-Lite, 32-bit data, byte offsets. Writes to RO or unmapped addresses, reads of unmapped",
+        "addresses, and writes other than a soft reset while busy are answered SLVERR and change nothing.",
+        "",
+        "| offset | name | access | reset | meaning |",
+        "| --- | --- | --- | --- | --- |",
+    ]
+    lines += [
+        f"| 0x{r.offset:02X} | {r.name} | {r.access} | 0x{r.reset:08X} | {r.description} |" for r in REGISTERS
+    ]
+    lines += ["", "| ERROR | name |", "| --- | --- |"]
+    lines += [f"| {error.value} | {error.name} |" for error in Error]
+    return "\n".join(lines) + "\n"

@@ -20,7 +20,7 @@ class StreamLayout:
     """Layout of ``channels`` codes of ``format`` per pixel on beats of ``beat_bits``.
 
     Raises:
-        ValueError: ``beat_bits`` is not a multiple of 8, or ``channels`` is below 1.
+        ValueError: ``beat_bits`` is not a multiple of 8, ``channels`` is below 1, or codes exceed 8 bits.
     """
 
     channels: int
@@ -30,6 +30,8 @@ class StreamLayout:
     def __post_init__(self) -> None:
         if self.channels < 1:
             raise ValueError(f"channels must be at least 1, not {self.channels}")
+        if self.format.bits > 8:
+            raise ValueError(f"codes must have at most 8 bits, not {self.format.bits}")
         if self.beat_bits < 8 or self.beat_bits % 8:
             raise ValueError(f"beat_bits must be a positive multiple of 8, not {self.beat_bits}")
 

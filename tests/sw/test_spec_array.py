@@ -1,0 +1,144 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from macram.spec import BY_NAME, REGISTERS, ArrayConfig, ConvSpec, IntFormat
+from macram.spec.registers import ADDRESS_BITS, ID_VALUE
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+
+
+def test_reference_figures():
+    array = ArrayConfig.from_toml(CONFIGS / "reference.toml")
+    assert array == ArrayConfig()
+    assert str(array.accumulator) == "s19"
+    assert (array.weight_word_bits, array.line_word_bits, array.block_bits) == (72, 96, 24)
+    assert (array.thresholds, array.requant_entry_bits, array.requant_word_bits) == (7, 134, 536)
+    assert (array.requant_depth, array.max_tiles, array.drain_cycles) == (256, 16, 16)
+    assert array.peak_macs == 6144
+    layer = ConvSpec(64, 128, 128, 128)
+    array.check_admits(layer)
+    assert (array.blocks(64), array.tiles(128), array.groups(128), array.weight_words(layer)) == (
+        8,
+        2,
+        32,
+        48,
+    )
+    steps = layer.height * array.groups(128) * array.tiles(128) * 3 * array.blocks(64)
+    assert steps == 196_608
+
+
+@pytest.mark.parametrize("path", sorted(CONFIGS.glob("*.toml")), ids=lambda path: path.stem)
+def test_ready_made_configurations_survive_the_round_trip(path):
+    array = ArrayConfig.from_toml(path)
+    assert ArrayConfig.from_dict(array.to_dict()) == array
+    assert array.name == path.stem
+
+
+def test_eight_output_bits_use_the_multiplier():
+    array = ArrayConfig(output=IntFormat(8))
+    assert (array.thresholds, array.requant_entry_bits) == (0, 18 + 48 + 6)
+    assert ArrayConfig(output=IntFormat(4)).thresholds == 15
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"units": 2}, r"units must be in 4\.\.1024, not 2"),
+        ({"units": 48}, "units must be a power of two, not 48"),
+        ({"units": 8}, r"units must be a multiple of 4 \* drain = 16, not 8"),
+        ({"rows": 0}, r"rows must be in 1\.\.64, not 0"),
+        ({"rows": 6}, "rows must be a power of two, not 6"),
+        ({"drain": 3}, "drain must be a power of two, not 3"),
+        ({"max_c_in": 9000}, r"max_c_in must be in 1\.\.8192, not 9000"),
+        ({"max_c_out": 100}, "max_c_out must be a multiple of units = 64, not 100"),
+        ({"weight_depth": 2}, r"weight_depth must be in 3\.\.65536, not 2"),
+        ({"row_words": 511}, "row_words must be a multiple of ingest = 2, not 511"),
+        ({"engine": "fast"}, "engine must be one of .*portable.*, not 'fast'"),
+        ({"output": IntFormat(9)}, r"output bits must be in 2\.\.8, not 9"),
+        ({"input": IntFormat(1)}, r"input bits must be in 2\.\.8, not 1"),
+        ({"weight": IntFormat(3)}, "weight must be a signed format, not u3"),
+        ({"stream_bits": 48}, "stream_bits must be 32, 64, 128, 256 or 512, not 48"),
+        ({"ingest": 3}, "ingest must be 1, 2, 4 or 8, not 3"),
+    ],
+)
+def test_bad_arrays_are_refused(changes, words):
+    with pytest.raises(ValueError, match=words):
+        ArrayConfig(**changes)
+
+
+@pytest.mark.parametrize(
+    ("layer", "words"),
+    [
+        ({"input": IntFormat(8)}, "the array's input format is u3, the layer's is u8"),
+        ({"weight": IntFormat(4, signed=True)}, "the array's weight format is s3, the layer's is s4"),
+        ({"output": IntFormat(3, signed=True)}, "the array's output format is u3, the layer's is s3"),
+        ({"kernel": 1, "padding": 0}, "not 1x1 with stride 1 and padding 0"),
+        ({"stride": 2}, "not 3x3 with stride 2 and padding 1"),
+        ({"padding": 0}, "not 3x3 with stride 1 and padding 0"),
+        ({"c_in": 1025}, "c_in must be at most 1024, not 1025"),
+        ({"c_out": 1025}, "c_out must be at most 1024, not 1025"),
+        ({"height": 65536}, "height and width must be at most 65535, not 65536x8"),
+        (
+            {"c_in": 512, "c_out": 192},
+            "512 -> 192 channels need 576 weight words per unit, the array has 512",
+        ),
+        (
+            {"c_in": 64, "width": 260},
+            "260 pixels x 64 channels needs 520 line-buffer words, the array has 512",
+        ),
+        ({"c_in": 65, "width": 208}, "208 pixels x 65 channels needs 520 line-buffer words"),
+    ],
+)
+def test_layers_that_do_not_fit_are_refused(layer, words):
+    with pytest.raises(ValueError, match=words):
+        ArrayConfig().check_admits(ConvSpec(**{"c_in": 8, "c_out": 8, "height": 8, "width": 8, **layer}))
+
+
+@pytest.mark.parametrize(
+    "layer",
+    [{"c_in": 512, "c_out": 128}, {"c_in": 64, "width": 256}, {"c_in": 1024, "c_out": 64}, {"height": 65535}],
+)
+def test_layers_that_just_fit_are_admitted(layer):
+    ArrayConfig().check_admits(ConvSpec(**{"c_in": 8, "c_out": 8, "height": 8, "width": 8, **layer}))
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("[array]\nunit = 64\n", "unknown key 'unit'; known are drain, .*"),
+        ('[array]\nweight = "3"\n', "a format is 'u' or 's' and a bit count"),
+        ("[array]\nweight = 3\n", "a format is 'u' or 's' and a bit count"),
+        ('[array]\nunits = "64"\n', "str"),
+        ("[array\n", "at line 1"),
+        ("units = 64\n", r"has no \[array\] table"),
+        ("", r"has no \[array\] table"),
+        ("[array]\nunits = 2\n", r"units must be in 4\.\.1024, not 2"),
+    ],
+)
+def test_bad_files_are_refused_by_name(tmp_path, text, words):
+    path = tmp_path / "bad.toml"
+    path.write_text(text)
+    with pytest.raises(ValueError, match=words) as caught:
+        ArrayConfig.from_toml(path)
+    assert str(caught.value).startswith(f"{path}: ")
+
+
+def test_an_absent_file_is_refused_by_name(tmp_path):
+    with pytest.raises(ValueError, match=r"absent\.toml: .*No such file"):
+        ArrayConfig.from_toml(tmp_path / "absent.toml")
+
+
+def test_register_map_is_consistent():
+    offsets = [register.offset for register in REGISTERS]
+    assert len(set(offsets)) == len(offsets) == len(BY_NAME)
+    assert offsets == sorted(offsets)
+    for register in REGISTERS:
+        assert register.offset % 4 == 0
+        assert 0 <= register.offset < 1 << ADDRESS_BITS
+        assert register.access in ("RO", "RW", "WO")
+        assert 0 <= register.reset < 1 << 32
+        assert BY_NAME[register.name] is register
+    assert ID_VALUE.to_bytes(4, "big") == b"MACR"
