@@ -1,10 +1,11 @@
 """The drain: result registers -> requantiser -> output buffer -> words in pixel order."""
 
-from amaranth.hdl import Cat, Module, Mux, Signal
+from amaranth.hdl import Array, Cat, Module, Mux, Signal
 from amaranth.lib import data, memory, stream, wiring
 from amaranth.lib.wiring import In, Out
 
 from macram.spec import GROUP, ArrayConfig
+from macram.spec.array import SECTIONS
 from macram_hw.engine import hdl_shape
 from macram_hw.gearbox import PixelWord
 from macram_hw.requant import Requantiser
@@ -25,9 +26,9 @@ class RequantWrite(data.StructLayout):
 class Drain(wiring.Component):
     """Requantises finished sums, ``drain`` channels x 4 pixels per cycle, and puts them in pixel order.
 
-    One (group, tile) takes ``drain_cycles`` cycles. A group goes into one half of the output buffer while the
-    other half is read; a group starts draining only when its half is free, and then never stops, so the
-    credit can be given back early: `credit_at` cycles into the drain.
+    One (group, tile) takes ``drain_cycles`` cycles. The output buffer is a ring of ``SECTIONS`` groups; a group
+    starts draining only when its section is free, and then never stops, so the credit can be given back early:
+    `credit_at` cycles into the drain.
 
     Members:
         shape: In, constant during a run.
@@ -65,8 +66,8 @@ class Drain(wiring.Component):
         index_bits = (cycles - 1).bit_length()
 
         # ---- when to drain ------------------------------------------------------------------------------
-        pending, busy, half = Signal(), Signal(), Signal()
-        occupied, filled = Signal(2), Signal(2)
+        pending, busy, section = Signal(), Signal(), Signal(range(SECTIONS))
+        occupied, filled = Signal(SECTIONS), Signal(SECTIONS)
         index = Signal(index_bits)
         waiting, current, info = (
             Signal(GroupInfo(config), name=n) for n in ("waiting", "current", "info_now")
@@ -75,7 +76,7 @@ class Drain(wiring.Component):
         group_start = Signal()
         m.d.comb += [
             group_start.eq(waiting.tile == 0),
-            begin.eq(pending & ~busy & (~group_start | ~occupied.bit_select(half, 1))),
+            begin.eq(pending & ~busy & (~group_start | ~occupied.bit_select(section, 1))),
             active.eq(busy | begin),
             info.eq(Mux(busy, current, waiting)),
             last_cycle.eq(active & (index == cycles - 1)),
@@ -91,9 +92,9 @@ class Drain(wiring.Component):
         with m.If(begin):
             m.d.sync += current.eq(waiting)
             with m.If(group_start):
-                m.d.sync += occupied.bit_select(half, 1).eq(1)
+                m.d.sync += occupied.bit_select(section, 1).eq(1)
         with m.If(last_cycle & info.tile_last):
-            m.d.sync += half.eq(~half)
+            m.d.sync += section.eq(section + 1)
 
         # ---- requantise ---------------------------------------------------------------------------------
         m.submodules.parameters = parameters = memory.Memory(
@@ -117,14 +118,23 @@ class Drain(wiring.Component):
 
         # ---- output buffer: written 4 pixels at a time, read one ----------------------------------------
         write_bits = GROUP * config.drain * config.output.bits
-        words_per_half = config.max_c_out // config.output_word_channels
-        word_bits = (words_per_half - 1).bit_length()
-        m.submodules.buffer = buffer = memory.Memory(shape=GROUP * write_bits, depth=2 << word_bits, init=[])
+        words_per_section = config.max_c_out // config.output_word_channels
+        word_bits = (words_per_section - 1).bit_length()
+        m.submodules.buffer = buffer = memory.Memory(
+            shape=GROUP * write_bits, depth=SECTIONS << word_bits, init=[]
+        )
         put = buffer.write_port(granularity=write_bits)
         get = buffer.read_port()
         delay = 1 + Requantiser.LATENCY
         address = Cat(index[2:], info.tile)[:word_bits] if word_bits else Signal(0)
-        at = [Cat(address, half), index[:2], active, last_cycle & info.tile_last, info.slots, info.image_last]
+        at = [
+            Cat(address, section),
+            index[:2],
+            active,
+            last_cycle & info.tile_last,
+            info.slots,
+            info.image_last,
+        ]
         for _ in range(delay):
             stage = [Signal(len(value), reset_less=i not in (2, 3)) for i, value in enumerate(at)]
             m.d.sync += [register.eq(value) for register, value in zip(stage, at, strict=True)]
@@ -137,24 +147,24 @@ class Drain(wiring.Component):
         ]
 
         # ---- read in pixel order ------------------------------------------------------------------------
-        slots, image_last = (Signal(GROUP, name=f"slots{h}") for h in range(2)), Signal(2)
-        slots = list(slots)
-        out_half, slot, word = Signal(), Signal(range(GROUP)), Signal(12)
+        slots = Array(Signal(GROUP, name=f"slots{s}") for s in range(SECTIONS))
+        image_last = Signal(SECTIONS)
+        out_section, slot, word = Signal(range(SECTIONS)), Signal(range(GROUP)), Signal(12)
         todo = Signal(GROUP)
-        word_last, pixel_after, advance, fetch, half_done = (
-            Signal(name=n) for n in ("word_last", "pixel_after", "advance", "fetch", "half_done")
+        word_last, pixel_after, advance, fetch, section_done = (
+            Signal(name=n) for n in ("word_last", "pixel_after", "advance", "fetch", "section_done")
         )
         valid = Signal()
         meta = Signal(PixelWord(1))
         slot_read = Signal(range(GROUP))
         m.d.comb += [
-            todo.eq(Mux(out_half, slots[1], slots[0]) >> slot),
+            todo.eq(slots[out_section] >> slot),
             word_last.eq(word + 1 == self.shape.output_words),
             pixel_after.eq(todo[1:].any()),
             advance.eq(~valid | self.o.ready),
-            fetch.eq(filled.bit_select(out_half, 1) & advance),
-            half_done.eq(fetch & (word_last | ~todo[0]) & ~pixel_after),
-            get.addr.eq(Cat(word[:word_bits], out_half)),
+            fetch.eq(filled.bit_select(out_section, 1) & advance),
+            section_done.eq(fetch & (word_last | ~todo[0]) & ~pixel_after),
+            get.addr.eq(Cat(word[:word_bits], out_section)),
             get.en.eq(advance),
         ]
         with m.If(advance):
@@ -162,27 +172,25 @@ class Drain(wiring.Component):
                 valid.eq(fetch & todo[0]),
                 slot_read.eq(slot),
                 meta.pixel_last.eq(word_last),
-                meta.last.eq(image_last.bit_select(out_half, 1) & ~pixel_after),
+                meta.last.eq(image_last.bit_select(out_section, 1) & ~pixel_after),
             ]
         with m.If(fetch):
             with m.If(~todo[0] | word_last):
                 m.d.sync += [word.eq(0), slot.eq(slot + 1)]
             with m.Else():
                 m.d.sync += word.eq(word + 1)
-        with m.If(half_done):
+        with m.If(section_done):
             m.d.sync += [
-                slot.eq(0), word.eq(0), out_half.eq(~out_half),
-                filled.bit_select(out_half, 1).eq(0), occupied.bit_select(out_half, 1).eq(0),
+                slot.eq(0), word.eq(0), out_section.eq(out_section + 1),
+                filled.bit_select(out_section, 1).eq(0), occupied.bit_select(out_section, 1).eq(0),
             ]  # fmt: skip
         with m.If(group_complete):
-            filled_half = put_address[-1]
+            filled_section = put_address[word_bits:]
             m.d.sync += [
-                filled.bit_select(filled_half, 1).eq(1),
-                image_last.bit_select(filled_half, 1).eq(put_image_last),
+                filled.bit_select(filled_section, 1).eq(1),
+                image_last.bit_select(filled_section, 1).eq(put_image_last),
+                slots[filled_section].eq(put_slots),
             ]
-            for h in range(2):
-                with m.If(filled_half == h):
-                    m.d.sync += slots[h].eq(put_slots)
 
         # A memory word is [drain cycle mod 4][slot][channel]; a pixel's word takes its slot out of all four.
         lane_bits = config.drain * config.output.bits
@@ -201,4 +209,5 @@ class Drain(wiring.Component):
         ]
         with m.If(self.start):
             m.d.sync += [pending.eq(0), busy.eq(0), index.eq(0), occupied.eq(0), filled.eq(0), valid.eq(0)]
+            m.d.sync += [section.eq(0), out_section.eq(0), slot.eq(0), word.eq(0)]
         return m

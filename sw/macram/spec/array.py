@@ -17,6 +17,8 @@ TAPS = 3
 """Taps of one kernel row; also the kernel rows of a 3x3 kernel."""
 LANES = GROUP + TAPS - 1
 """Lane sums of one row engine: lane k of group g belongs to output column ``4 g + k - 1``."""
+SECTIONS = 4
+"""Pixel groups in the output buffer. With two, a drain as long as the reading would wait for its end."""
 MULT_BITS, OFFSET_BITS, SHIFT_BITS = 18, 48, 6
 """Field widths of the multiplier-shift requantiser (5 to 8 output bits)."""
 MAX_THRESHOLD_BITS = 4

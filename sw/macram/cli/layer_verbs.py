@@ -1,0 +1,87 @@
+"""``macram layer``, ``macram pack`` and ``macram example``: everything that takes or gives a layer file."""
+
+from __future__ import annotations
+
+import argparse
+
+from rich.console import Console
+
+from macram.cli.stages import Stages
+from macram.cli.traffic import traffic
+from macram.layer_job import array_for, run_layer_job, run_summary, write_run
+from macram.spec import ArrayConfig, ConvSpec, IntFormat
+
+
+def layer(arguments: argparse.Namespace) -> int:
+    """Run a layer file; 0 only if no code differs."""
+    from macram.layer_file import LayerCase  # noqa: PLC0415
+
+    case = LayerCase.load(arguments.file)
+    array = _array(arguments, case.spec)
+    _folder(arguments)
+    console = Console()
+    run = run_layer_job(case, array=array, traffic=traffic(arguments), stage=Stages(console))
+    write_run(run, arguments.out)
+    console.print(run_summary(run), highlight=False, markup=False, soft_wrap=True)
+    console.print(
+        f"{run.cycles:,} cycles measured, {run.estimate['total']:,} estimated; "
+        f"results in {arguments.out}, seed {run.traffic.seed}",
+        highlight=False,
+        markup=False,
+        soft_wrap=True,
+    )
+    return 0 if run.passed else 1
+
+
+def pack(arguments: argparse.Namespace) -> int:
+    """Write the BRAM images of a layer file."""
+    from macram.layer_file import LayerCase  # noqa: PLC0415
+    from macram.pack import pack_layer  # noqa: PLC0415
+
+    case = LayerCase.load(arguments.file)
+    array = _array(arguments, case.spec)
+    packed = pack_layer(case, array)
+    _folder(arguments)
+    packed.write(arguments.out)
+    print(
+        f"{case.spec.c_out} x {case.spec.fan_in} weights packed for array {array.name} into {arguments.out}"
+    )
+    return 0
+
+
+def example(arguments: argparse.Namespace) -> int:
+    """Write a random layer file."""
+    from macram.golden import random_case  # noqa: PLC0415
+
+    (c_in, c_out), (height, width) = arguments.channels, arguments.size
+    weight, into, out = arguments.bits
+    if arguments.seed < 0:
+        raise ValueError(f"--seed must be 0 or more, not {arguments.seed}")
+    spec = ConvSpec(
+        c_in,
+        c_out,
+        height,
+        width,
+        weight=IntFormat(weight, signed=True),
+        input=IntFormat(into),
+        output=IntFormat(out),
+    )
+    array_for(spec)
+    random_case(spec, arguments.seed).save(arguments.file)
+    print(f"{arguments.file}: {c_in} -> {c_out} channels, {height} x {width}; run it with")
+    print(f"  macram layer {arguments.file} -o build/layer")
+    return 0
+
+
+def _array(arguments: argparse.Namespace, spec: ConvSpec) -> ArrayConfig:
+    """The array named on the command line, else the reference geometry in the layer's formats."""
+    if arguments.array is None:
+        return array_for(spec)
+    array = ArrayConfig.from_toml(arguments.array)
+    array.check_admits(spec)
+    return array
+
+
+def _folder(arguments: argparse.Namespace) -> None:
+    """Make the output folder before work is spent."""
+    arguments.out.mkdir(parents=True, exist_ok=True)

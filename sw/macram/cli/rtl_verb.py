@@ -1,0 +1,84 @@
+"""``macram rtl``: write the array's Verilog, check that what is there is up to date, or lint it."""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from macram.spec import ArrayConfig
+
+
+def rtl(arguments: argparse.Namespace) -> int:
+    """Write into the folder; with ``--check`` compare, with ``--lint`` run Verilator over a fresh export."""
+    config = ArrayConfig() if arguments.config is None else ArrayConfig.from_toml(arguments.config)
+    if not (arguments.check or arguments.lint):
+        _export(config, arguments.layer, arguments.out)
+        print(f"Verilog of array {config.name} in {arguments.out}")
+        return 0
+    with tempfile.TemporaryDirectory(prefix="macram-rtl-") as name:
+        fresh = Path(name)
+        sources = _export(config, arguments.layer, fresh)
+        failed = False
+        if arguments.check:
+            stale = out_of_date(fresh, arguments.out)
+            for line in stale:
+                print(f"{arguments.out}/{line}", file=sys.stderr)
+            print(
+                f"{arguments.out} is out of date: run `macram rtl`"
+                if stale
+                else f"{arguments.out} is what array {config.name} gives"
+            )
+            failed |= bool(stale)
+        if arguments.lint:
+            failed |= not _lint(fresh, sources)
+    return 1 if failed else 0
+
+
+def _export(config: ArrayConfig, layer: Path | None, folder: Path) -> list[Path]:
+    """Verilog, and the memory images of ``layer`` in ``mem``; returns the sources in compile order."""
+    from macram_hw.export import export_verilog  # type: ignore[import-untyped]  # noqa: PLC0415
+
+    mem_dir = None
+    if layer is not None:
+        from macram.layer_file import LayerCase  # noqa: PLC0415
+        from macram.pack import pack_layer  # noqa: PLC0415
+
+        packed = pack_layer(LayerCase.load(layer), config)
+        mem_dir = folder / "mem"
+        packed.write(mem_dir)
+    return list(export_verilog(config, folder, mem_dir=mem_dir).sources)
+
+
+def out_of_date(fresh: Path, folder: Path) -> list[str]:
+    """A line for each file of ``fresh`` that ``folder`` lacks or holds with other bytes."""
+    lines = []
+    for path in sorted(p for p in fresh.rglob("*") if p.is_file()):
+        relative = path.relative_to(fresh)
+        theirs = folder / relative
+        if not theirs.is_file():
+            lines.append(f"{relative}: missing")
+        elif theirs.read_bytes() != path.read_bytes():
+            lines.append(f"{relative}: differs")
+    return lines
+
+
+def _lint(folder: Path, sources: list[Path]) -> bool:
+    """Verilator's lint of an export, all warnings on; ``sources`` begin with the reasoned waivers."""
+    from macram_sim.tools import find_toolchain  # type: ignore[import-untyped]  # noqa: PLC0415
+
+    tools = find_toolchain()
+    done = subprocess.run(
+        [str(tools.verilator), "--lint-only", "-Wall", "--top-module", "macram_top", *map(str, sources)],
+        env=tools.environment(),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    sys.stderr.write(done.stderr.replace(f"{folder}/", ""))
+    print(
+        f"verilator --lint-only -Wall: {len(sources)} files, {'clean' if done.returncode == 0 else 'FAILED'}"
+    )
+    return done.returncode == 0

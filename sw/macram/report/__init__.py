@@ -1,0 +1,1 @@
+"""What a run leaves behind: comparisons, JSON, pictures and one HTML page."""

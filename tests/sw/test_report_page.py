@@ -1,0 +1,201 @@
+"""The demo's report: comparisons, pictures, JSON and page, with network and simulator replaced."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+import types
+from contextlib import nullcontext
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from macram import golden
+from macram.cli import main
+from macram.golden import random_case, run_layer
+from macram.layer_job import COUNTERS
+from macram.report.page import cycle_rows, render
+from macram.spec import ConvSpec
+
+SPEC = ConvSpec(9, 12, 10, 14)
+
+
+class Page(HTMLParser):
+    """Checks that tags nest and collects text and the addresses a page names."""
+
+    VOID = ("meta", "img", "br")
+
+    def __init__(self, html):
+        super().__init__()
+        self.open, self.addresses, self.text = [], [], []
+        self.feed(html)
+        assert not self.open, f"unclosed {self.open}"
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in self.VOID:
+            self.open.append(tag)
+        self.addresses += [value for key, value in attrs if key in ("src", "href")]
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] != "style":
+            self.text.append(data)
+
+
+@pytest.fixture
+def chain(monkeypatch):
+    """The demo with a small layer: `.hardware` and `.deployed` may spoil the codes of either."""
+    same = lambda codes: codes  # noqa: E731
+    state = types.SimpleNamespace(hardware=same, deployed=same, spec=SPEC, front=[])
+
+    def reference_case(image, **options):
+        state.front.append((image, options))
+        case = random_case(state.spec, options["seed"])
+        return types.SimpleNamespace(
+            case=case,
+            deployed_codes=state.deployed(run_layer(case)),
+            differing={"image": 0.0, "stage2": 0.00125},
+            picture=np.asarray(Image.open(image).convert("RGB")),
+            provenance={"image": image.name, "weights": "seeded <initialisation>", "steps": {"a": 0.5}},
+        )
+
+    def simulate(packed, codes, **options):
+        expected = run_layer(random_case(state.spec, options["seed"]))
+        counters = {name: 100 - 9 * i for i, name in enumerate(COUNTERS)}
+        counters["cycles"] = sum(counters.values())
+        produced = state.hardware(expected)
+        return types.SimpleNamespace(
+            codes=produced, counters=counters, build_seconds=0.0, wall_seconds=0.1, waves=None
+        )
+
+    monkeypatch.setitem(sys.modules, "macram.front", types.SimpleNamespace(reference_case=reference_case))
+    fake = types.SimpleNamespace(simulate=simulate, build_array=lambda array, *, waves: None)
+    monkeypatch.setitem(sys.modules, "macram_sim", types.ModuleType("macram_sim"))
+    monkeypatch.setitem(sys.modules, "macram_sim.array", fake)
+    tools = types.SimpleNamespace(source="wheel", version="5.0")
+    monkeypatch.setitem(sys.modules, "macram_sim.tools", types.SimpleNamespace(find_toolchain=lambda: tools))
+    return state
+
+
+@pytest.fixture
+def photo(tmp_path):
+    path = tmp_path / "photo.png"
+    Image.fromarray(np.arange(24 * 32 * 3, dtype=np.uint8).reshape(24, 32, 3)).save(path)
+    return path
+
+
+def flip(codes):
+    codes = codes.copy()
+    codes[2, 3, 4] ^= 1
+    return codes
+
+
+def test_demo_leaves_everything_it_promises(chain, photo, tmp_path, capsys):
+    out = tmp_path / "demo"
+    assert main(["demo", "--image", str(photo), "-o", str(out), "--seed", "5"]) == 0
+    lines = capsys.readouterr().out
+    assert "[1/7] image through the network to the layer" in lines
+    assert f"{12 * 10 * 14:,} output codes compared, 0 differ" in " ".join(lines.split())
+    assert "report.html" in lines
+    report = json.loads((out / "report.json").read_text())
+    assert report["passed"]
+    assert [row["compared"] for row in report["comparisons"]] == [1680] * 3
+    assert len(report["stages"]) == 7
+    names = [report["gallery"]["image"]["file"], report["gallery"]["sheet"]]
+    names += [item["file"] for item in report["gallery"]["inputs"]]
+    names += [item[k] for item in report["gallery"]["outputs"] for k in ("hardware", "golden", "difference")]
+    for name in names:
+        Image.open(out / name).verify()
+    files = {path.name for path in out.iterdir()}
+    assert files == {"layer.npz", "packed", "output.npz", "report.json", "report.html", *names}
+    assert chain.front[0][1]["seed"] == 5
+    assert str(tmp_path) not in (out / "report.json").read_text() + (out / "report.html").read_text()
+
+
+def test_page_is_whole_and_needs_nothing_else(chain, photo, tmp_path):
+    assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 0
+    html = (tmp_path / "d/report.html").read_text()
+    page = Page(html)
+    text = " ".join(" ".join(page.text).split())
+    assert len(page.addresses) == 1 + 8 + 3 * 6
+    assert all(address.startswith("data:image/png;base64,") for address in page.addresses)
+    assert "<script" not in html
+    assert not re.search(r"url\(|@import|https?:", html)
+    assert "1,680 output codes compared, 0 differ" in text
+    assert "seeded <initialisation>" in text
+    for name in ("multiply-accumulate", "fill", "input stall", "output stall", "drain"):
+        assert name in text
+
+
+@pytest.mark.parametrize(("wrong", "rows"), [("hardware", [0, 1, 1]), ("deployed", [1, 0, 1])])
+def test_any_of_the_three_being_wrong_fails(wrong, rows, chain, photo, tmp_path, capsys):
+    setattr(chain, wrong, flip)
+    assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 1
+    report = json.loads((tmp_path / "d/report.json").read_text())
+    assert [row["mismatches"] for row in report["comparisons"]] == rows
+    assert not report["passed"]
+    page = (tmp_path / "d/report.html").read_text()
+    assert 'class="verdict bad"' in page
+    assert "(2, 3, 4)" in page
+    assert "1 differ" in capsys.readouterr().out
+
+
+def test_three_times_the_same_wrong_code_is_no_proof_of_golden(chain, photo, tmp_path):
+    chain.hardware = chain.deployed = flip
+    assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 1
+
+
+def test_latency_appears_for_the_layer_of_the_paper_alone(chain, photo, tmp_path, monkeypatch):
+    from macram.report import latency  # noqa: PLC0415
+
+    assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 0
+    assert "26.16 ms" not in (tmp_path / "d/report.html").read_text()
+    monkeypatch.setattr(latency, "REFERENCE", SPEC)
+    assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 0
+    page = (tmp_path / "d/report.html").read_text()
+    for text in ("26.16 ms", "10.25 ms", "5.99 ms", "Nothing has been timed on silicon"):
+        assert text in page
+
+
+def test_cycle_rows_sum_to_the_total():
+    counters = dict(zip(COUNTERS, (90, 4, 3, 2, 1), strict=True)) | {"cycles": 100}
+    report = {"cycles": 100, "counters": counters, "estimate": {"total": 97, "fill_cycles": 4}}
+    rows = cycle_rows(report)
+    assert {row["counter"] for row in rows} == set(COUNTERS)
+    assert sum(row["cycles"] for row in rows) == 100
+    assert sum(row["share"] for row in rows) == pytest.approx(1)
+    assert [row["estimate"] for row in rows] == [None, 4, None, None, None]
+
+
+def test_a_missing_picture_is_an_error_not_a_gap(chain, photo, tmp_path):
+    assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 0
+    report = json.loads((tmp_path / "d/report.json").read_text())
+    with pytest.raises(KeyError, match=r"image\.png"):
+        render(report, {})
+
+
+def test_stages_record_what_finished(capsys):
+    from rich.console import Console  # noqa: PLC0415
+
+    from macram.cli.stages import Stages  # noqa: PLC0415
+
+    stages = Stages(Console(force_terminal=False), 2)
+    with stages("first"), nullcontext():
+        pass
+    with pytest.raises(ValueError, match="x"), stages("second"):
+        raise ValueError("x")
+    assert [row["name"] for row in stages.done] == ["first"]
+    assert capsys.readouterr().out.startswith("[1/2] first ..")
+
+
+def test_golden_is_the_middle_of_the_comparison(chain, photo, tmp_path, monkeypatch):
+    """The page compares with what the golden model says now, not with what the network says."""
+    monkeypatch.setattr(golden, "run_layer", lambda case: flip(run_layer(case)))
+    assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 1
+    report = json.loads((tmp_path / "d/report.json").read_text())
+    assert [row["mismatches"] for row in report["comparisons"]] == [1, 1, 0]
