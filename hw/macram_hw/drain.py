@@ -26,9 +26,9 @@ class RequantWrite(data.StructLayout):
 class Drain(wiring.Component):
     """Requantises finished sums, ``drain`` channels x 4 pixels per cycle, and puts them in pixel order.
 
-    One (group, tile) takes ``drain_cycles`` cycles. The output buffer is a ring of ``SECTIONS`` groups; a group
-    starts draining only when its section is free, and then never stops, so the credit can be given back early:
-    `credit_at` cycles into the drain.
+    One (group, tile) takes ``drain_cycles`` cycles. The output buffer is a ring of ``SECTIONS`` groups; a
+    group starts draining only when its section is free, and then never stops, so the credit can be given back
+    early: `credit_at` cycles into the drain.
 
     Members:
         shape: In, constant during a run.

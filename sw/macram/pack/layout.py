@@ -11,9 +11,9 @@ for q in 0..drain - 1, entry q at bit ``q * requant_entry_bits``. A threshold en
 ascending order, lowest first, each in the array's accumulator format, then the invert bit. A shift entry is
 mult (18 bits), offset (48), shift (6), lowest first.
 
-Channels that the layer does not have are weights 0, and requantiser entries that give the code 0: thresholds at
-the array accumulator's largest value, which no sum reaches, the lower half of them at its smallest value if
-codes are signed; or mult, offset and shift 0.
+Channels that the layer does not have are weights 0, and requantiser entries that give the code 0: thresholds
+at the array accumulator's largest value, which no sum reaches, the lower half of them at its smallest value
+if codes are signed; or mult, offset and shift 0.
 """
 
 from __future__ import annotations
