@@ -147,14 +147,14 @@ def _hardware(verb: Verb) -> None:
         "rtl",
         "rtl_verb",
         "write the array's Verilog",
-        "The Verilog carries no weights; the same configuration gives the same bytes. With --layer the "
-        "memory images of a layer go into DIR/mem.",
+        "The Verilog carries no weights; the same configuration gives the same bytes. DIR/mem holds the "
+        "memory images of a layer: of --layer, else of a seeded self-test.",
     )
     rtl.add_argument("-o", "--out", type=Path, default=Path("rtl"), metavar="DIR", help="default: rtl")
     rtl.add_argument(
         "--config", type=Path, metavar="CONFIG.toml", help="array to write (default: the reference array)"
     )
-    rtl.add_argument("--layer", type=Path, metavar="FILE.npz", help="also write this layer's memory images")
+    rtl.add_argument("--layer", type=Path, metavar="FILE.npz", help="layer whose memory images to write")
     rtl.add_argument("--check", action="store_true", help="write nothing; exit 1 if DIR is out of date")
     rtl.add_argument("--lint", action="store_true", help="write nothing; verilator --lint-only -Wall")
 

@@ -38,17 +38,15 @@ def rtl(arguments: argparse.Namespace) -> int:
 
 
 def _export(config: ArrayConfig, layer: Path | None, folder: Path) -> list[Path]:
-    """Verilog, and the memory images of ``layer`` in ``mem``; returns the sources in compile order."""
+    """Write Verilog, and into ``mem`` the images of ``layer`` or of the self-test; returns the sources in order."""
+    from macram.golden import selftest_case  # noqa: PLC0415
+    from macram.layer_file import LayerCase  # noqa: PLC0415
+    from macram.pack import pack_layer  # noqa: PLC0415
     from macram_hw.export import export_verilog  # type: ignore[import-untyped]  # noqa: PLC0415
 
-    mem_dir = None
-    if layer is not None:
-        from macram.layer_file import LayerCase  # noqa: PLC0415
-        from macram.pack import pack_layer  # noqa: PLC0415
-
-        packed = pack_layer(LayerCase.load(layer), config)
-        mem_dir = folder / "mem"
-        packed.write(mem_dir)
+    case = selftest_case(config) if layer is None else LayerCase.load(layer)
+    mem_dir = folder / "mem"
+    pack_layer(case, config).write(mem_dir)
     return list(export_verilog(config, folder, mem_dir=mem_dir).sources)
 
 

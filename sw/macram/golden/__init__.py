@@ -1,6 +1,6 @@
 """The golden model: what every layer computes, in NumPy integers."""
 
-from macram.golden.cases import KINDS, random_case
+from macram.golden.cases import KINDS, random_case, selftest_case
 from macram.golden.conv import conv2d
 from macram.golden.formula import float_code
 from macram.golden.requant import Distance, ShiftRequant, ThresholdRequant, derive_requant
@@ -18,4 +18,5 @@ __all__ = [
     "float_codes",
     "random_case",
     "run_layer",
+    "selftest_case",
 ]

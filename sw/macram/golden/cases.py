@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from macram.golden.conv import conv2d
 from macram.layer_file import LayerCase
-from macram.spec import ConvSpec, IntFormat
+from macram.spec import GROUP, ArrayConfig, ConvSpec, IntFormat, ceil_div
 
 KINDS = ("uniform", "extremes", "min", "max", "zero", "impulse")
 """What `random_case` fills a layer with."""
@@ -41,6 +41,33 @@ def random_case(spec: ConvSpec, seed: int, kind: str = "uniform") -> LayerCase:
         weights, codes = _fill(rng, spec.weight, shape_w, kind), _fill(rng, spec.input, shape_x, kind)
     scale, offset = _spread(rng, spec, conv2d(codes, weights, stride=spec.stride, padding=spec.padding))
     return LayerCase(spec, weights, codes, scale, offset)
+
+
+def selftest_case(array: ArrayConfig, seed: int = 2022) -> LayerCase:
+    """The layer whose memory images an array starts up with, for a first run on a board.
+
+    Two tiles of eight blocks at up to 128 x 128, or what the array admits of that; on the reference array the
+    reference layer's shape. All codes are random. Scales are powers of two and offsets quarters, so that the
+    thresholds are the same on every machine.
+    """
+    c_in, tiles = min(array.max_c_in, 8 * array.rows), min(array.max_tiles, 2)
+    while 3 * tiles * array.blocks(c_in) > array.weight_depth:
+        c_in, tiles = (c_in, 1) if tiles > 1 else (ceil_div(c_in, 2), 1)
+    words_per_group = ceil_div(array.blocks(c_in), array.ingest) * array.ingest
+    size = min(128, GROUP * (array.row_words // words_per_group))
+    spec = ConvSpec(
+        c_in, tiles * array.units, size, size, weight=array.weight, input=array.input, output=array.output
+    )
+    rng = np.random.default_rng(seed)
+    weights = _fill(rng, spec.weight, (spec.c_out, c_in, 3, 3), "uniform")
+    codes = _fill(rng, spec.input, (c_in, size, size), "uniform")
+    # About one deviation of a sum of random products per two output codes.
+    deviation = (array.weight.hi * array.input.hi) ** 2 * spec.fan_in // 12
+    step = 1 << max(0, deviation.bit_length() // 2 - array.output.bits + 2)
+    scale = rng.choice([-1.0, 0.0, 1.0], spec.c_out, p=[0.2, 0.1, 0.7]) / step
+    offset = rng.integers(0, 4 * array.output.hi, spec.c_out, endpoint=True) / 4.0
+    mean = weights.reshape(spec.c_out, -1).sum(axis=1) * ((array.input.lo + array.input.hi) // 2)
+    return LayerCase(spec, weights, codes, scale, offset - scale * mean)
 
 
 def _operands_of_extreme(spec: ConvSpec, *, largest: bool) -> tuple[int, int]:

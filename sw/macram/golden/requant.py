@@ -200,7 +200,6 @@ class ShiftRequant:
         spans = np.diff(starts, axis=1, append=hi + 1)
         inside = np.minimum(starts, hi)
         gaps = abs(self.apply(inside) - float_code(inside, scale[:, None], offset[:, None], self.output))
-        gaps[spans == 0] = 0
         return Distance(len(self.mult) * (hi + 1 - lo), int(spans[gaps > 0].sum()), int(gaps.max()))
 
 
