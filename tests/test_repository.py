@@ -27,9 +27,12 @@ LAYERS = (
     {"macram.pack"},
     {"macram.driver"},
     {"macram.pynq_transport", "macram_sim"},
+    {"macram.data"},
+    {"macram.pose"},
     {"macram.model"},
     {"macram.quant"},
     {"macram.front"},
+    {"macram.train"},
     {"macram.report"},
     {"macram.layer_job"},
     {"macram.demo", "macram.bench"},
@@ -37,7 +40,7 @@ LAYERS = (
 )
 """Lowest first. A module imports its own layer's package and layers below, never another or one above."""
 RANK = {name: rank for rank, names in enumerate(LAYERS) for name in names}
-NETWORKS = {"macram.model", "macram.quant", "macram.front"}
+NETWORKS = {"macram.model", "macram.quant", "macram.front", "macram.train"}
 """Where networks live: the only place for torch at import time."""
 LATE = {"macram.bench": {"torch"}}
 """Imported inside a function, for a measurement."""

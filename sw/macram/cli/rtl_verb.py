@@ -38,7 +38,7 @@ def rtl(arguments: argparse.Namespace) -> int:
 
 
 def _export(config: ArrayConfig, layer: Path | None, folder: Path) -> list[Path]:
-    """Write Verilog, and into ``mem`` the images of ``layer`` or of the self-test; returns the sources in order."""
+    """Write Verilog, and memory images of ``layer`` or the self-test into ``mem``; the sources in order."""
     from macram.golden import selftest_case  # noqa: PLC0415
     from macram.layer_file import LayerCase  # noqa: PLC0415
     from macram.pack import pack_layer  # noqa: PLC0415
