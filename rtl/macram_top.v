@@ -2408,9 +2408,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .i__payload(\i__payload$53 ),
     .i__ready(\busy$16 ),
     .i__valid(\i__valid$57 ),
-    .\port$1293$0 (\$70 ),
-    .\port$1295$0 (\$71 ),
-    .\port$1297$0 (\$72 ),
+    .\port$1295$0 (\$70 ),
+    .\port$1297$0 (\$71 ),
+    .\port$1299$0 (\$72 ),
     .requant_en(write_en),
     .rst(rst),
     .soft_reset(\port$1012$0 [3]),
@@ -7136,10 +7136,11 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   wire [7:0] \$22 ;
   wire [16:0] \$23 ;
   wire [16:0] \$24 ;
-  reg [6:0] \$25 ;
-  reg \$26 ;
+  reg [111:0] \$25 ;
+  reg [6:0] \$26 ;
   reg \$27 ;
-  reg [15:0] \$28 ;
+  reg \$28 ;
+  reg [15:0] \$29 ;
   wire \$3 ;
   wire \$4 ;
   wire [16:0] \$5 ;
@@ -7210,64 +7211,74 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   assign \$23  = beats_out + 1'h1;
   assign \$24  = \$signal$10  ? 17'h00000 : \$23 ;
   always @(posedge clk)
-    buffer <= \$20 [111:0];
+    buffer <= \$25 ;
   always @(posedge clk)
-    level <= \$25 ;
+    level <= \$26 ;
   always @(posedge clk)
-    \$signal  <= \$26 ;
+    \$signal  <= \$27 ;
   always @(posedge clk)
-    image_last <= \$27 ;
+    image_last <= \$28 ;
   always @(posedge clk)
-    beats_out <= \$28 ;
+    beats_out <= \$29 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$25  = \$22 [6:0];
+    \$25  = \$20 [111:0];
     if (soft_reset) begin
-      \$25  = 7'h00;
+      \$25  = 112'h0000000000000000000000000000;
     end
     if (rst) begin
-      \$25  = 7'h00;
+      \$25  = 112'h0000000000000000000000000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$26  = \$signal ;
+    \$26  = \$22 [6:0];
+    if (soft_reset) begin
+      \$26  = 7'h00;
+    end
+    if (rst) begin
+      \$26  = 7'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
+    \$27  = \$signal ;
     if (put) begin
-      \$26  = i__payload[48];
+      \$27  = i__payload[48];
     end else if (\$signal$10 ) begin
-      \$26  = 1'h0;
+      \$27  = 1'h0;
     end
     if (soft_reset) begin
-      \$26  = 1'h0;
+      \$27  = 1'h0;
     end
     if (rst) begin
-      \$26  = 1'h0;
+      \$27  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$27  = image_last;
+    \$28  = image_last;
     if (put) begin
-      \$27  = i__payload[49];
+      \$28  = i__payload[49];
     end
     if (soft_reset) begin
-      \$27  = 1'h0;
+      \$28  = 1'h0;
     end
     if (rst) begin
-      \$27  = 1'h0;
+      \$28  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$28  = beats_out;
+    \$29  = beats_out;
     if (\$signal$8 ) begin
-      \$28  = \$24 [15:0];
+      \$29  = \$24 [15:0];
     end
     if (soft_reset) begin
-      \$28  = 16'h0000;
+      \$29  = 16'h0000;
     end
     if (rst) begin
-      \$28  = 16'h0000;
+      \$29  = 16'h0000;
     end
   end
   assign level_after = \$11 [6:0];
@@ -7479,9 +7490,10 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire [16:0] \$20 ;
   wire [16:0] \$21 ;
   wire [16:0] \$22 ;
-  reg [6:0] \$23 ;
-  reg [15:0] \$24 ;
+  reg [111:0] \$23 ;
+  reg [6:0] \$24 ;
   reg [15:0] \$25 ;
+  reg [15:0] \$26 ;
   wire [16:0] \$3 ;
   wire \$4 ;
   wire \$5 ;
@@ -7549,44 +7561,54 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   assign \$21  = words_out + 1'h1;
   assign \$22  = \$signal$8  ? 17'h00000 : \$21 ;
   always @(posedge clk)
-    buffer <= \$17 [111:0];
+    buffer <= \$23 ;
   always @(posedge clk)
-    level <= \$23 ;
+    level <= \$24 ;
   always @(posedge clk)
-    \$signal  <= \$24 ;
+    \$signal  <= \$25 ;
   always @(posedge clk)
-    words_out <= \$25 ;
+    words_out <= \$26 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$23  = \$19 [6:0];
+    \$23  = \$17 [111:0];
     if (soft_reset) begin
-      \$23  = 7'h00;
+      \$23  = 112'h0000000000000000000000000000;
     end
     if (rst) begin
-      \$23  = 7'h00;
+      \$23  = 112'h0000000000000000000000000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$24  = \$20 [15:0];
+    \$24  = \$19 [6:0];
     if (soft_reset) begin
-      \$24  = 16'h0000;
+      \$24  = 7'h00;
     end
     if (rst) begin
-      \$24  = 16'h0000;
+      \$24  = 7'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$25  = words_out;
+    \$25  = \$20 [15:0];
+    if (soft_reset) begin
+      \$25  = 16'h0000;
+    end
+    if (rst) begin
+      \$25  = 16'h0000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
+    \$26  = words_out;
     if (\$signal$6 ) begin
-      \$25  = \$22 [15:0];
+      \$26  = \$22 [15:0];
     end
     if (soft_reset) begin
-      \$25  = 16'h0000;
+      \$26  = 16'h0000;
     end
     if (rst) begin
-      \$25  = 16'h0000;
+      \$26  = 16'h0000;
     end
   end
   assign words_per_pixel = { 2'h0, \port$1086$62  };
@@ -7953,7 +7975,7 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
   assign \read.mask  = read[14:11];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, start_weights, start_requant, \port$1293$0 , \port$1295$0 , \port$1297$0 , i__ready, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, start_weights, start_requant, \port$1295$0 , \port$1297$0 , \port$1299$0 , i__ready, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
@@ -8019,13 +8041,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 9'h000 *)
-  output [8:0] \port$1293$0 ;
-  wire [8:0] \port$1293$0 ;
+  output [8:0] \port$1295$0 ;
+  wire [8:0] \port$1295$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1295$0 ;
-  wire [7:0] \port$1295$0 ;
-  output [535:0] \port$1297$0 ;
-  wire [535:0] \port$1297$0 ;
+  output [7:0] \port$1297$0 ;
+  wire [7:0] \port$1297$0 ;
+  output [535:0] \port$1299$0 ;
+  wire [535:0] \port$1299$0 ;
   wire [543:0] requant;
   wire [7:0] \requant.addr ;
   wire [535:0] \requant.data ;
@@ -8223,9 +8245,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[519:448], \$25  };
   assign requant = { shifter[535:0], \$27  };
-  assign \port$1293$0  = \$25 ;
-  assign \port$1295$0  = \$27 ;
-  assign \port$1297$0  = shifter[535:0];
+  assign \port$1295$0  = \$25 ;
+  assign \port$1297$0  = \$27 ;
+  assign \port$1299$0  = shifter[535:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$25 ;

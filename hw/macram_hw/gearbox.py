@@ -46,7 +46,7 @@ class IngestGearbox(wiring.Component):
     def elaborate(self, platform):
         m = Module()
         capacity = self._beat + self._word
-        buffer = Signal(capacity, reset_less=True)
+        buffer = Signal(capacity)
         level = Signal(range(capacity + 1))
         beats_in, words_out = Signal(16), Signal(16)
 
@@ -101,7 +101,7 @@ class EmitGearbox(wiring.Component):
     def elaborate(self, platform):
         m = Module()
         capacity = self._beat + self._word
-        buffer = Signal(capacity, reset_less=True)
+        buffer = Signal(capacity)
         level = Signal(range(capacity + 1))
         beats_out = Signal(16)
         complete, image_last = Signal(), Signal()

@@ -1,0 +1,86 @@
+"""The cocotb bench of the whole array: runs one job folder, which `macram_sim.array` writes and reads.
+
+The folder holds ``job.json``, ``input.npy`` ``[c_in, height, width]`` and the packed layer; the bench adds
+``output.npy`` ``[c_out, out_height, out_width]`` and ``result.json``.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import cocotb
+import numpy as np
+from cocotb.clock import Clock
+from cocotb.triggers import ClockCycles
+
+from macram.driver import ArrayDriver
+from macram.pack import read_packed
+from macram.spec import BY_NAME, REGISTERS
+from macram_sim.transport import PERIOD_NS, CocotbTransport
+
+PROGRESS_SECONDS = 2.0
+
+
+class Progress:
+    """A line on stderr with the share of output beats, every two seconds at most."""
+
+    def __init__(self) -> None:
+        self._start = self._last = time.monotonic()
+
+    def __call__(self, received: int, expected: int) -> None:
+        """Print if the last line is old enough."""
+        now = time.monotonic()
+        if now - self._last >= PROGRESS_SECONDS:
+            self._last = now
+            share = 100 * received / expected
+            print(
+                f"  simulated {share:5.1f} % of {expected:,} output beats, {now - self._start:.0f} s",
+                file=sys.stderr,
+                flush=True,
+            )
+
+
+async def snoop(transport: CocotbTransport, seed: int, counts: dict[str, int]) -> None:
+    """Read random registers at random moments, and check those whose value is known."""
+    rng = random.Random(f"snoop {seed}")
+    known = {name: BY_NAME[name].reset for name in ("ID", "VERSION")}
+    while True:
+        register = rng.choice(REGISTERS)
+        value = await transport.read(register.offset)
+        assert value == known.get(register.name, value), f"{register.name} reads {value:#x} during a run"
+        counts["register_reads"] += 1
+        await ClockCycles(cocotb.top.aclk, rng.randrange(1, 40))
+
+
+@cocotb.test()
+async def run_job(dut: Any) -> None:
+    """Identify the array, load and configure the layer, run the image as often as the job says."""
+    folder = Path(os.environ["MACRAM_JOB"])
+    job = json.loads((folder / "job.json").read_text())
+    packed = read_packed(folder / "packed")
+    image = np.load(folder / "input.npy")
+    transport = CocotbTransport(
+        dut, gaps=job["gaps"], stalls=job["stalls"], seed=job["seed"], progress=Progress()
+    )
+    Clock(dut.aclk, PERIOD_NS, unit="ns").start()
+    await transport.reset()
+    driver = ArrayDriver(transport, packed.array)
+    await driver.identify()
+    if job["load"] == "stream":
+        await driver.load(packed)
+    await driver.configure(packed.spec)
+    counts = {"register_reads": 0}
+    snooper = cocotb.start_soon(snoop(transport, job["seed"], counts)) if job["snoop"] else None
+    results = [await driver.run(image) for _ in range(job["runs"])]
+    if snooper is not None:
+        snooper.cancel()
+    np.save(folder / "output.npy", np.stack([result.codes for result in results]))
+    (folder / "result.json").write_text(
+        json.dumps({"counters": [result.counters for result in results], **counts})
+    )

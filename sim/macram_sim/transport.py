@@ -1,0 +1,159 @@
+"""The driver's transport to a simulated array: an AXI4-Lite manager and the streams, in cocotb."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from typing import Any, NoReturn
+
+from cocotb.triggers import Lock, RisingEdge, Timer, gather, select
+
+from macram.driver import Beats, BusError, StreamTimeout
+from macram_sim.streams import AxisSink, AxisSource, pauses
+
+PERIOD_NS = 10
+QUIET_CYCLES = 50_000
+"""Cycles in which no beat moves on any stream before a transfer is given up."""
+_LOOK_CYCLES = 1_000
+BUS_CYCLES = 1_000
+"""Cycles that a register access may take."""
+_RESPONSES = ("OKAY", "EXOKAY", "SLVERR", "DECERR")
+
+
+class AxiLiteManager:
+    """Reads and writes 32-bit registers on ``{prefix}_*``, one access at a time."""
+
+    def __init__(self, dut: Any, prefix: str = "s_axi") -> None:
+        self._edge = RisingEdge(dut.aclk)
+        self._lock = Lock()
+        for name in (
+            "awaddr", "awprot", "awvalid", "awready", "wdata", "wstrb", "wvalid", "wready", "bresp", "bvalid",
+            "bready", "araddr", "arprot", "arvalid", "arready", "rdata", "rresp", "rvalid", "rready",
+        ):  # fmt: skip
+            signal = getattr(dut, f"{prefix}_{name}")
+            setattr(self, f"_{name}", signal)
+            if name.endswith(("addr", "prot", "strb")) or name in (
+                "awvalid", "wdata", "wvalid", "bready", "arvalid", "rready",
+            ):  # fmt: skip
+                signal.value = 0
+
+    async def write(self, offset: int, value: int) -> None:
+        """Write all four bytes; `BusError` on any answer but OKAY, or none."""
+        async with self._lock:
+            self._awaddr.value, self._wdata.value, self._wstrb.value = offset, value, 0xF
+            self._awvalid.value = self._wvalid.value = self._bready.value = 1
+            waiting = {self._awready: self._awvalid, self._wready: self._wvalid}
+            for _ in range(BUS_CYCLES):
+                await self._edge
+                for ready, valid in list(waiting.items()):
+                    if ready.value:
+                        valid.value = 0
+                        del waiting[ready]
+                if not waiting and self._bvalid.value:
+                    break
+            else:
+                raise BusError(f"the write to {offset:#04x} has no answer after {BUS_CYCLES} cycles")
+            self._bready.value = 0
+            self._check(self._bresp, f"the write of {value:#x} to {offset:#04x}")
+
+    async def read(self, offset: int) -> int:
+        """Value of a register; `BusError` on any answer but OKAY, or none."""
+        async with self._lock:
+            self._araddr.value = offset
+            self._arvalid.value = self._rready.value = 1
+            taken = False
+            for _ in range(BUS_CYCLES):
+                await self._edge
+                if not taken and self._arready.value:
+                    self._arvalid.value = 0
+                    taken = True
+                if taken and self._rvalid.value:
+                    break
+            else:
+                raise BusError(f"the read of {offset:#04x} has no answer after {BUS_CYCLES} cycles")
+            self._rready.value = 0
+            self._check(self._rresp, f"the read of {offset:#04x}")
+            return int(self._rdata.value)
+
+    @staticmethod
+    def _check(response: Any, access: str) -> None:
+        if code := int(response.value):
+            raise BusError(f"{access} was answered {_RESPONSES[code]}")
+
+
+class CocotbTransport:
+    """Registers and streams of a simulated array.
+
+    Args:
+        dut: the top; its clock must be running.
+        gaps: pattern of the sources, see `macram_sim.streams.PATTERNS`.
+        stalls: pattern of the sink.
+        seed: of the patterns.
+        progress: called now and then with the output beats received and expected.
+    """
+
+    def __init__(
+        self,
+        dut: Any,
+        *,
+        gaps: str = "none",
+        stalls: str = "none",
+        seed: int = 0,
+        progress: Callable[[int, int], None] | None = None,
+    ) -> None:
+        self._dut = dut
+        self._registers = AxiLiteManager(dut)
+        self._image = AxisSource(dut, "s_axis", pauses(gaps, random.Random(f"image {seed}")))
+        self._params = AxisSource(dut, "s_axis_param", pauses(gaps, random.Random(f"param {seed}")))
+        self._output = AxisSink(dut, "m_axis", pauses(stalls, random.Random(f"output {seed}")))
+        self._progress = progress
+
+    async def reset(self, cycles: int = 4) -> None:
+        """Hold ``aresetn`` low, then high."""
+        edge = RisingEdge(self._dut.aclk)
+        for level, count in ((0, cycles), (1, 1)):
+            self._dut.aresetn.value = level
+            for _ in range(count):
+                await edge
+
+    def quiet(self) -> None:
+        """Offer and take nothing, as after an image that was given up."""
+        for stream in (self._image, self._params, self._output):
+            stream.quiet()
+
+    async def read(self, offset: int) -> int:
+        """Read a register."""
+        return await self._registers.read(offset)
+
+    async def write(self, offset: int, value: int) -> None:
+        """Write a register."""
+        await self._registers.write(offset, value)
+
+    async def send_params(self, beats: Beats) -> None:
+        """Send beats on the parameter stream."""
+        await select(self._params.send(beats), self._watchdog(0))
+
+    async def run_stream(self, beats: Beats, beats_out: int) -> Beats:
+        """Send an image and return the beats that come back meanwhile."""
+        both = gather(self._output.receive(beats_out), self._image.send(beats))
+        _, result = await select(both, self._watchdog(beats_out))
+        return result[0]
+
+    async def _watchdog(self, expected: int) -> NoReturn:
+        """Report progress, and raise once nothing has moved for `QUIET_CYCLES`."""
+        streams = (self._image, self._params, self._output)
+        start = self._output.moved
+        before, quiet = -1, 0
+        look = Timer(_LOOK_CYCLES * PERIOD_NS, "ns")
+        while quiet < QUIET_CYCLES:
+            await look
+            moved = sum(stream.moved for stream in streams)
+            quiet = quiet + _LOOK_CYCLES if moved == before else 0
+            before = moved
+            if self._progress is not None and expected:
+                self._progress(self._output.moved - start, expected)
+        self.quiet()
+        raise StreamTimeout(
+            f"no beat moved for {QUIET_CYCLES:,} cycles; {self._output.moved - start:,} of {expected:,} "
+            "output beats received"
+        )

@@ -1,0 +1,64 @@
+"""Undisturbed runs take exactly the closed form's cycles, cause by cause."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from macram.golden import random_case, run_layer
+from macram.pack import pack_layer
+from macram.perf import estimate
+from macram.spec import ArrayConfig, ConvSpec
+from macram_sim.array import simulate
+
+TINY = ArrayConfig.from_toml(Path(__file__).parents[2] / "configs" / "tiny.toml")
+
+# Channels in and out, height, width: one pixel, one group, narrow, full last group, drain-bound, many tiles.
+SHAPES = [
+    (1, 1, 1, 1),
+    (3, 11, 1, 1),
+    (1, 1, 2, 2),
+    (2, 8, 5, 5),
+    (7, 9, 6, 3),
+    (4, 8, 4, 8),
+    (4, 8, 9, 12),
+    (5, 16, 4, 16),
+    (16, 16, 3, 7),
+    (10, 30, 5, 8),
+    (12, 17, 2, 19),
+]
+
+
+def assert_as_estimated(spec, array, counters):
+    expected = estimate(spec, array)
+    assert expected.exact
+    assert counters == {
+        "cycles": expected.total,
+        "mac_cycles": expected.mac,
+        "fill_cycles": expected.fill,
+        "input_stalls": 0,
+        "output_stalls": expected.output_stall,
+        "drain_cycles": expected.drain,
+    }
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=lambda shape: "x".join(map(str, shape)))
+def test_cycles_are_the_closed_form(toolchain, shape):
+    spec = ConvSpec(*shape)
+    case = random_case(spec, seed=3)
+    result = simulate(pack_layer(case, TINY), case.input, seed=3, runs=2)
+    for codes, counters in zip(result.all_codes, result.all_counters, strict=True):
+        np.testing.assert_array_equal(codes, run_layer(case))
+        assert_as_estimated(spec, TINY, counters)
+
+
+@pytest.mark.slow
+def test_the_reference_layer_takes_197204_cycles(toolchain):
+    spec, array = ConvSpec(64, 128, 128, 128), ArrayConfig()
+    case = random_case(spec, seed=3)
+    result = simulate(pack_layer(case, array), case.input, seed=3)
+    np.testing.assert_array_equal(result.codes, run_layer(case))
+    assert_as_estimated(spec, array, result.counters)
+    assert result.counters["cycles"] == 197_204

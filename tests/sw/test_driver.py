@@ -1,0 +1,286 @@
+"""The driver over PYNQ's objects, against a fake array that decodes every bit and computes with the golden
+model."""
+
+from __future__ import annotations
+
+import asyncio
+import dataclasses
+import os
+
+import numpy as np
+import pytest
+
+from macram import golden
+from macram.driver import COUNTERS, ArrayDriver, ArrayError, StreamTimeout
+from macram.layer_file import LayerCase
+from macram.pack import PackedLayer, pack_layer, unpack
+from macram.pynq_transport import PynqTransport, run_sync
+from macram.spec import BY_NAME, ArrayConfig, ConvSpec, Error, IntFormat, StreamLayout
+
+SEED = int(os.environ.get("SEED", "41"))
+TINY = ArrayConfig(
+    name="tiny", units=8, rows=2, max_c_in=16, max_c_out=32, weight_depth=64, row_words=32, stream_bits=32,
+    drain=2,
+)  # fmt: skip
+U3 = IntFormat(3)
+
+
+class FakeArray:
+    """Registers and streams of an array at their bit level; commands and formats as the register map has
+    them."""
+
+    def __init__(self, array: ArrayConfig):
+        self.array = array
+        self.log: list[tuple[str, int]] = []
+        self.registers = dict.fromkeys(BY_NAME, 0)
+        self.registers |= {
+            "ID": 0x4D414352,
+            "VERSION": 0x10000,
+            "GEOMETRY": int(f"{array.drain:02x}{array.rows:02x}{array.units:04x}", 16),
+            "FORMATS": int(f"{array.output.bits:02x}{array.input.bits:02x}{array.weight.bits:02x}", 16),
+            "WEIGHT_DEPTH": array.weight_depth,
+            "ROW_WORDS": array.row_words,
+            "MAX_CHANNELS": int(f"{array.max_c_out:04x}{array.max_c_in:04x}", 16),
+        }
+        self.words: dict[int, list[int]] = {}
+        self.fault = Error.NONE
+        self.busy_reads = 0
+        self.hang = False
+        self.buffers = 0
+        self.output: np.ndarray | None = None
+        self.target: np.ndarray | None = None
+        self.command = 0
+        self.mmio, self.image, self.param = self, FakeDma(self, "image"), FakeDma(self, "param")
+
+    def transport(self) -> PynqTransport:
+        return PynqTransport(self.mmio, self.image, self.param, self.allocate, timeout=0.05)
+
+    def allocate(self, shape, dtype):
+        self.buffers += 1
+        fake = self
+
+        class Buffer(np.ndarray):
+            def freebuffer(self):
+                fake.buffers -= 1
+
+        return np.full(shape, 0xEE, dtype).view(Buffer)
+
+    def read(self, offset: int) -> int:
+        name = next(r.name for r in BY_NAME.values() if r.offset == offset)
+        if name == "STATUS":
+            self.busy_reads, busy = max(self.busy_reads - 1, 0), self.busy_reads > 0
+            return busy | 2 | (4 if self.fault else 0)
+        return int(self.fault) if name == "ERROR" else self.registers[name]
+
+    def write(self, offset: int, value: int) -> None:
+        name = next(r.name for r in BY_NAME.values() if r.offset == offset)
+        assert BY_NAME[name].access != "RO"
+        assert type(value) is int
+        self.log.append((name, value))
+        if name == "CONTROL":
+            self.command, self.busy_reads = value, 3
+        else:
+            self.registers[name] = value
+
+    def take(self, stream: str, raw: bytes) -> None:
+        size = self.array.stream_bits // 8
+        assert len(raw) % size == 0
+        if stream == "param":
+            width = self.array.weight_word_bits if self.command == 2 else self.array.requant_word_bits
+            step = -(-width // (8 * size)) * size
+            self.words[self.command] = [
+                int.from_bytes(raw[i : i + step], "little") for i in range(0, len(raw), step)
+            ]
+            per = self.array.units if self.command == 2 else 1
+            assert len(self.words[self.command]) == per * self.registers["PARAM_WORDS"]
+            return
+        assert self.command == 1
+        r = self.registers
+        mode = r["MODE"]
+        spec = ConvSpec(
+            r["C_IN"], r["C_OUT"], r["HEIGHT"], r["WIDTH"], mode & 255, mode >> 8 & 255, mode >> 16 & 255,
+            self.array.weight, self.array.input, self.array.output,
+        )  # fmt: skip
+        beats = np.frombuffer(raw, np.uint8).reshape(-1, size)
+        image = StreamLayout(spec.c_in, spec.input, 8 * size).unpack(beats, spec.height, spec.width)
+        weights, requant = unpack(PackedLayer(spec, self.array, *self.memory(spec)))
+        codes = requant.apply(golden.conv2d(image, weights))
+        self.output = StreamLayout(spec.c_out, spec.output, 8 * size).pack(codes)
+        self.registers |= {name.upper(): 1000 + i for i, name in enumerate(COUNTERS)}
+
+    def memory(self, spec: ConvSpec):
+        def as_bytes(words, bits):
+            return np.array([list(w.to_bytes(-(-bits // 8), "little")) for w in words], np.uint8)
+
+        weights = as_bytes(self.words[2], self.array.weight_word_bits)
+        return (
+            weights.reshape(self.array.units, -1, weights.shape[1]),
+            as_bytes(self.words[4], self.array.requant_word_bits),
+        )
+
+
+class FakeDma:
+    """Both channels of one DMA; the receive channel must be armed before the array answers."""
+
+    def __init__(self, fake: FakeArray, stream: str):
+        self.sendchannel = FakeChannel(fake, stream)
+        if stream == "image":
+            self.recvchannel = FakeChannel(fake, "output")
+
+
+class FakeChannel:
+    def __init__(self, fake: FakeArray, stream: str):
+        self.fake, self.stream, self.started, self.polls = fake, stream, False, 0
+
+    @property
+    def idle(self) -> bool:
+        self.polls += 1
+        return self.started and not self.fake.hang and self.polls > 2
+
+    def transfer(self, buffer) -> None:
+        self.started, self.polls = True, 0
+        if self.stream == "output":
+            self.fake.target = buffer
+        elif not self.fake.hang:
+            self.fake.take(self.stream, bytes(buffer))
+
+    def wait(self) -> None:
+        assert self.started
+        if self.stream == "output":
+            assert self.fake.output is not None
+            assert self.fake.target is not None
+            self.fake.target[:] = self.fake.output.reshape(-1)
+
+
+def random_case(spec: ConvSpec, seed: int) -> LayerCase:
+    rng = np.random.default_rng(seed)
+    return LayerCase(
+        spec,
+        rng.integers(-4, 4, (spec.c_out, spec.c_in, 3, 3)),
+        rng.integers(0, 8, (spec.c_in, spec.height, spec.width)),
+        rng.uniform(-0.05, 0.05, spec.c_out),
+        rng.uniform(-2, 9, spec.c_out),
+    )
+
+
+@pytest.mark.parametrize("shape", [(1, 1, 1, 1), (3, 9, 5, 7), (16, 15, 2, 13), (5, 17, 8, 4)])
+def test_load_configure_run(shape):
+    case = random_case(ConvSpec(*shape), SEED)
+    fake = FakeArray(TINY)
+    driver = ArrayDriver(fake.transport(), TINY)
+
+    async def job():
+        await driver.identify()
+        await driver.soft_reset()
+        await driver.load(pack_layer(case, TINY))
+        await driver.configure(case.spec)
+        first = await driver.run(case.input)
+        return first, await driver.run(7 - case.input)
+
+    first, second = run_sync(job())
+    np.testing.assert_array_equal(first.codes, golden.run_layer(case))
+    np.testing.assert_array_equal(
+        second.codes, golden.run_layer(dataclasses.replace(case, input=7 - case.input))
+    )
+    assert first.counters == {name: 1000 + i for i, name in enumerate(COUNTERS)}
+    assert fake.buffers == 0, "every buffer is freed"
+    assert [value for name, value in fake.log if name == "CONTROL"] == [8, 2, 4, 1, 1]
+
+
+@pytest.mark.parametrize(
+    ("changes", "register"),
+    [
+        ({"units": 16}, "GEOMETRY"),
+        ({"rows": 4}, "GEOMETRY"),
+        ({"drain": 1}, "GEOMETRY"),
+        ({"weight": IntFormat(4, signed=True)}, "FORMATS"),
+        ({"input": IntFormat(3, signed=True)}, "FORMATS"),
+        ({"output": IntFormat(3, signed=True)}, "FORMATS"),
+        ({"weight_depth": 65}, "WEIGHT_DEPTH"),
+        ({"row_words": 34}, "ROW_WORDS"),
+        ({"max_c_in": 17}, "MAX_CHANNELS"),
+        ({"max_c_out": 64}, "MAX_CHANNELS"),
+    ],
+)
+def test_identify_names_what_differs(changes, register):
+    driver = ArrayDriver(FakeArray(TINY).transport(), dataclasses.replace(TINY, **changes))
+    with pytest.raises(ArrayError, match=rf"^{register} is 0x"):
+        run_sync(driver.identify())
+
+
+@pytest.mark.parametrize("register", ["ID", "VERSION"])
+def test_identify_wants_this_design(register):
+    fake = FakeArray(TINY)
+    fake.registers[register] ^= 1
+    with pytest.raises(ArrayError, match=rf"^{register} is 0x"):
+        run_sync(ArrayDriver(fake.transport(), TINY).identify())
+
+
+@pytest.mark.parametrize("code", [e for e in Error if e])
+def test_errors_are_named(code):
+    case = random_case(ConvSpec(2, 3, 2, 2), SEED)
+    fake = FakeArray(TINY)
+    driver = ArrayDriver(fake.transport(), TINY)
+    run_sync(driver.load(pack_layer(case, TINY)))
+    run_sync(driver.configure(case.spec))
+    fake.fault = code
+    with pytest.raises(ArrayError, match=code.name) as caught:
+        run_sync(driver.run(case.input))
+    assert caught.value.code is code
+    fake.hang = True
+    with pytest.raises(ArrayError, match=code.name):
+        run_sync(driver.run(case.input))
+    assert fake.buffers == 0
+
+
+def test_unknown_error_code():
+    fake = FakeArray(TINY)
+    fake.fault = 99
+    with pytest.raises(ArrayError, match="unknown error code 99"):
+        run_sync(ArrayDriver(fake.transport(), TINY).soft_reset())
+
+
+def test_streams_that_hang_are_given_up():
+    case = random_case(ConvSpec(2, 3, 2, 2), SEED)
+    fake = FakeArray(TINY)
+    driver = ArrayDriver(fake.transport(), TINY)
+    fake.hang = True
+    with pytest.raises(StreamTimeout, match=r"parameter stream did not finish within 0\.05 s"):
+        run_sync(driver.load(pack_layer(case, TINY)))
+    run_sync(driver.configure(case.spec))
+    with pytest.raises(StreamTimeout, match="input stream"):
+        run_sync(driver.run(case.input))
+    assert fake.buffers == 0
+
+
+def test_an_array_that_stays_busy_is_given_up():
+    fake = FakeArray(TINY)
+    driver = ArrayDriver(fake.transport(), TINY)
+    fake.write = lambda offset, value: setattr(fake, "busy_reads", 10**9)
+    with pytest.raises(ArrayError, match="still busy"):
+        run_sync(driver.soft_reset())
+
+
+def test_bad_input_reaches_no_register():
+    case = random_case(ConvSpec(2, 3, 4, 4), SEED)
+    fake = FakeArray(TINY)
+    driver = ArrayDriver(fake.transport(), TINY)
+    with pytest.raises(ValueError, match=r"call configure\(\) before run\(\)"):
+        run_sync(driver.run(case.input))
+    with pytest.raises(ValueError, match="packed for array 'reference'"):
+        run_sync(driver.load(pack_layer(case, ArrayConfig())))
+    with pytest.raises(ValueError, match="stride 2"):
+        run_sync(driver.configure(ConvSpec(2, 3, 4, 4, stride=2)))
+    assert fake.log == []
+    run_sync(driver.configure(case.spec))
+    before = list(fake.log)
+    with pytest.raises(ValueError, match=r"must be \[2, 4, 4\], not \[2, 4, 5\]"):
+        run_sync(driver.run(np.zeros((2, 4, 5), np.int64)))
+    with pytest.raises(ValueError, match=r"codes must lie in 0\.\.7"):
+        run_sync(driver.run(case.input + 8))
+    assert fake.log == before
+
+
+def test_run_sync_refuses_to_wait():
+    with pytest.raises(RuntimeError, match="the transport waits"):
+        run_sync(asyncio.sleep(0))
