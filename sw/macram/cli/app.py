@@ -10,6 +10,7 @@ from importlib import import_module
 from pathlib import Path
 
 from macram import __version__
+from macram.cli import counts_verb, data_verb
 
 OK, FAILED, BAD_INPUT = 0, 1, 2
 """Exit codes: all well; a check failed; bad input or a missing tool."""
@@ -19,6 +20,7 @@ SEED = 2022
 
 EXTRAS = {
     "torch": "train",
+    "cv2": "vision",
     "amaranth": "hw",
     "macram_hw": "hw",
     "cocotb": "sim",
@@ -36,6 +38,8 @@ examples:
   macram layer layer.npz -o build/layer        run it on the array, compare with the golden model
   macram pack layer.npz -o build/packed        its BRAM images (.mem, .coe) and manifest
   macram rtl -o rtl                            the array's Verilog
+  macram data render -o data --tier mini       a rendered data set with poses, masks, backgrounds
+  macram counts                                the paper's tables of operations and storage
   macram sim                                   full-size reference layer and odd shapes, a table at the end
 
 exit status: 0 all well, 1 a check failed, 2 bad input or a missing tool
@@ -75,6 +79,8 @@ def parser() -> argparse.ArgumentParser:
     _demo(verb)
     _layers(verb)
     _hardware(verb)
+    data_verb.add_data(verb)
+    counts_verb.add_parser(verb)
     return top
 
 

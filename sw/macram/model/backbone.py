@@ -17,6 +17,8 @@ LEAK = 0.1
 """Slope of the published network's LeakyReLU; ReLU is what unsigned activation codes need."""
 INIT_CHANNELS = 32
 """Channels of the first convolution at width 1; stage k has ``32 * 2**k``."""
+FRONT_STAGES = 2
+"""Stages that keep ``width`` when ``late_width`` differs: those up to the reference layer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +29,7 @@ class BackboneConfig:
         width: channel multiplier, 1 for the published network; ``32 * width`` must be a whole number.
         stages: residual units per stage; one stage per entry.
         activation: ``relu`` (quantised networks) or ``leaky`` (the published floating-point weights).
+        late_width: the multiplier from stage 3 on; None for ``width`` throughout.
 
     Raises:
         ValueError: a field is out of range.
@@ -35,11 +38,13 @@ class BackboneConfig:
     width: float = 1.0
     stages: tuple[int, ...] = (1, 2, 8, 8, 4)
     activation: str = "relu"
+    late_width: float | None = None
 
     def __post_init__(self) -> None:
-        channels = INIT_CHANNELS * self.width
-        if not (channels >= 1 and channels == int(channels)):
-            raise ValueError(f"width must be a positive multiple of 1/{INIT_CHANNELS}, not {self.width!r}")
+        for field, width in (("width", self.width), ("late_width", self._late)):
+            channels = INIT_CHANNELS * width
+            if not (channels >= 1 and channels == int(channels)):
+                raise ValueError(f"{field} must be a positive multiple of 1/{INIT_CHANNELS}, not {width!r}")
         if not self.stages or min(self.stages) < 0:
             raise ValueError(f"stages must be unit counts of at least 0, not {self.stages!r}")
         if self.activation not in ACTIVATIONS:
@@ -48,7 +53,12 @@ class BackboneConfig:
     @property
     def channels(self) -> tuple[int, ...]:
         """Output channels of the first convolution and of every stage: (32, 64, ..., 1024) at width 1."""
-        return tuple(int(INIT_CHANNELS * self.width) << k for k in range(len(self.stages) + 1))
+        widths = [self.width if k <= FRONT_STAGES else self._late for k in range(len(self.stages) + 1)]
+        return tuple(int(INIT_CHANNELS * width) << k for k, width in enumerate(widths))
+
+    @property
+    def _late(self) -> float:
+        return self.width if self.late_width is None else self.late_width
 
 
 class DarkNet53(nn.Module):
@@ -126,12 +136,17 @@ class ConvBlock(nn.Module):
 
     def __init__(self, c_in: int, c_out: int, *, kernel: int, stride: int, activation: str) -> None:
         super().__init__()
-        # On "meta" nothing is initialised: the default would draw from the global random state, to no use.
-        conv = nn.Conv2d(c_in, c_out, kernel, stride=stride, padding=kernel // 2, bias=False, device="meta")
-        self.conv = conv.to_empty(device="cpu")
+        self.conv = bare_conv(c_in, c_out, kernel=kernel, stride=stride, bias=False)
         self.bn = nn.BatchNorm2d(c_out)
         self.act = nn.ReLU() if activation == "relu" else nn.LeakyReLU(LEAK)
 
     def forward(self, x: Tensor) -> Tensor:
         """``[N, c_in, H, W]`` -> ``[N, c_out, H/stride, W/stride]``."""
         return cast(Tensor, self.act(self.bn(self.conv(x))))
+
+
+def bare_conv(c_in: int, c_out: int, *, kernel: int, stride: int = 1, bias: bool) -> nn.Conv2d:
+    """A padded convolution whose weights and bias wait for their initial values, on the default device."""
+    # On "meta" nothing is initialised: the default would draw from the global random state, to no use.
+    conv = nn.Conv2d(c_in, c_out, kernel, stride=stride, padding=kernel // 2, bias=bias, device="meta")
+    return conv.to_empty(device=torch.get_default_device())

@@ -1,9 +1,11 @@
 """Quantisation-aware training graph, calibration, and lowering to integers."""
 
 from macram.quant.calibrate import calibrate_batch_norm, calibrate_steps
+from macram.quant.convert import LsqConv2d, quantise
 from macram.quant.deploy import DeployedNetwork, differing_shares, host_codes, training_codes
 from macram.quant.fold import Affine, fold_batch_norm
 from macram.quant.lower import lower
+from macram.quant.lower_spacenet import host_predictions, lower_network
 from macram.quant.lsq import LsqQuantizer
 from macram.quant.network import Precision, QuantDarkNet53
 from macram.quant.program import Program, run_golden
@@ -11,6 +13,7 @@ from macram.quant.program import Program, run_golden
 __all__ = [
     "Affine",
     "DeployedNetwork",
+    "LsqConv2d",
     "LsqQuantizer",
     "Precision",
     "Program",
@@ -20,7 +23,10 @@ __all__ = [
     "differing_shares",
     "fold_batch_norm",
     "host_codes",
+    "host_predictions",
     "lower",
+    "lower_network",
+    "quantise",
     "run_golden",
     "training_codes",
 ]

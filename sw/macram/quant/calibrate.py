@@ -8,41 +8,40 @@ from contextlib import contextmanager
 import torch
 from torch import Tensor, nn
 
-from macram.model import DarkNet53
 from macram.quant.lsq import LsqQuantizer
-from macram.quant.network import QuantDarkNet53
 
 
-def calibrate_batch_norm(model: DarkNet53, images: Tensor, depth: int | None = None) -> None:
+def calibrate_batch_norm(model: nn.Module, images: Tensor, depth: int | None = None) -> None:
     """Sets the running statistics to those of one batch, for a network that has not been trained.
 
     Args:
-        model: left in evaluation mode.
+        model: backbone or whole network; left in evaluation mode. What it keeps in evaluation mode while it
+            trains (a frozen backbone) is not touched.
         images: ``[N, 3, H, W]``, one batch.
-        depth: stages to run; later ones keep mean 0 and variance 1.
+        depth: of a backbone, stages to run; later ones keep mean 0 and variance 1.
     """
-    layers = [m for m in model.modules() if isinstance(m, nn.BatchNorm2d)]
+    model.train()
+    layers = [m for m in model.modules() if isinstance(m, nn.BatchNorm2d) and m.training]
     momenta = [layer.momentum for layer in layers]
     for layer in layers:
         layer.reset_running_stats()
         layer.momentum = None  # cumulative: after one batch the statistics are that batch's
-    model.train()
     with torch.no_grad():
-        model(images, depth)
+        _run(model, images, depth)
     for layer, momentum in zip(layers, momenta, strict=True):
         layer.momentum = momentum
     model.eval()
 
 
-def calibrate_steps(net: QuantDarkNet53, images: Tensor, depth: int | None = None) -> dict[str, float]:
+def calibrate_steps(net: nn.Module, images: Tensor, depth: int | None = None) -> dict[str, float]:
     """Sets every reached activation step to ``2 * mean|v| / sqrt(Qp)`` of the unquantised values it sees.
 
     A stage's stream passes its quantiser once per unit; all passes count.
 
     Args:
-        net: left in evaluation mode; weight steps are not touched.
+        net: quantised backbone or whole network, left in evaluation mode; weight steps are not touched.
         images: ``[N, 3, H, W]``, one batch.
-        depth: stages to run; the steps of later ones stay NaN.
+        depth: of a backbone, stages to run; the steps of later ones stay NaN.
 
     Returns:
         The steps set, by the quantiser's name in ``net``.
@@ -52,7 +51,7 @@ def calibrate_steps(net: QuantDarkNet53, images: Tensor, depth: int | None = Non
     """
     net.eval()
     with _observed(net) as totals, torch.no_grad():
-        net(images, depth)
+        _run(net, images, depth)
     names = {quantizer: name for name, quantizer in net.named_modules()}
     steps = {}
     for quantizer, (total, count) in totals.items():
@@ -66,8 +65,15 @@ def calibrate_steps(net: QuantDarkNet53, images: Tensor, depth: int | None = Non
     return steps
 
 
+def _run(net: nn.Module, images: Tensor, depth: int | None) -> None:
+    if depth is None:
+        net(images)
+    else:
+        net(images, depth)
+
+
 @contextmanager
-def _observed(net: QuantDarkNet53) -> Iterator[dict[LsqQuantizer, tuple[float, int]]]:
+def _observed(net: nn.Module) -> Iterator[dict[LsqQuantizer, tuple[float, int]]]:
     """While open, all quantisers pass values through; yields sum and count of |v| of the activations."""
     totals: dict[LsqQuantizer, tuple[float, int]] = {}
 

@@ -13,7 +13,11 @@ from torch.nn import functional
 from macram.golden import ShiftRequant
 from macram.quant.lsq import LsqQuantizer
 from macram.quant.network import QuantDarkNet53, QuantStage
-from macram.quant.program import AddOp, Codes, ConvOp, LookupOp, Program
+from macram.quant.program import AccumulateOp, AddOp, Codes, ConvOp, LookupOp, Program
+
+SAFE_SUM = 1 << 20
+"""Integer sums below this survive a float32 convolution, with a margin for any algorithm."""
+RADIX = 16
 
 
 class DeployedNetwork(nn.Module):
@@ -27,7 +31,7 @@ class DeployedNetwork(nn.Module):
         super().__init__()
         self.program = program
         self.convs = nn.ModuleDict(
-            {_key(op.name): _IntConv(op) for op in program.ops if isinstance(op, ConvOp)}
+            {_key(op.name): _IntConv(op) for op in program.ops if isinstance(op, ConvOp | AccumulateOp)}
         )
 
     def forward(self, codes: Tensor) -> dict[str, Tensor]:
@@ -40,39 +44,59 @@ class DeployedNetwork(nn.Module):
         tensors = {self.program.input: codes}
         for op in self.program.ops:
             match op:
-                case ConvOp():
+                case ConvOp() | AccumulateOp():
                     tensors[op.name] = self.convs[_key(op.name)](tensors[op.source])
                 case LookupOp():
-                    tensors[op.name] = torch.from_numpy(op.table)[tensors[op.source]]
+                    tensors[op.name] = _looked_up(tensors[op.source], op)
                 case AddOp():
-                    branch = torch.from_numpy(op.table)[tensors[op.branch]]
-                    tensors[op.name] = (tensors[op.stream] + branch).clamp_max(op.ceiling)
+                    branch = _looked_up(tensors[op.branch], op)
+                    if op.doubled:
+                        branch = branch.repeat_interleave(2, 1).repeat_interleave(2, 2)
+                    tensors[op.name] = (tensors[op.stream] + branch).clamp(op.floor, op.ceiling)
         return tensors
 
 
 class _IntConv(nn.Module):
-    """One convolution on codes. Weights are kept in float64, where every sum below 2**53 is exact."""
+    """One convolution on codes, by float32 convolutions whose sums are integers far below ``2**24``.
+
+    Where the sums may grow larger (8-bit codes), the input is split, ``code = 16 * high + low``. Where that
+    is not enough either (8-bit weights at their limits), float64 serves, slowly.
+    """
 
     weight: Tensor
 
-    def __init__(self, op: ConvOp) -> None:
+    def __init__(self, op: ConvOp | AccumulateOp) -> None:
         super().__init__()
         self.op = op
-        self.register_buffer("weight", torch.from_numpy(op.weights).double())
+        heaviest = int(abs(op.weights).sum(axis=(1, 2, 3)).max())
+        largest = max(-op.spec.input.lo, op.spec.input.hi)
+        single = heaviest * max(RADIX, -(-largest // RADIX)) < SAFE_SUM
+        self.split = single and heaviest * largest >= SAFE_SUM
+        weight = torch.from_numpy(op.weights)
+        self.register_buffer("weight", weight.float() if single else weight.double())
 
     def forward(self, codes: Tensor) -> Tensor:
         """``[c_in, H, W]`` int64 -> ``[c_out, H/stride, W/stride]`` int64."""
-        spec, requant = self.op.spec, self.op.requant
-        acc = functional.conv2d(codes.double()[None], self.weight, stride=spec.stride, padding=spec.padding)[
-            0
-        ]
-        # Whatever kernel torch may choose errs by far less than a half, so rounding restores the integer.
-        acc = acc.round()
-        if isinstance(requant, ShiftRequant):
-            total = acc.to(torch.int64) * _column(requant.mult) + _column(requant.offset)
-            return (total >> _column(requant.shift)).clamp(spec.output.lo, spec.output.hi)
-        scaled = acc * _column(self.op.scale) + _column(self.op.offset)
-        return scaled.round().clamp(spec.output.lo, spec.output.hi).to(torch.int64)
+        op, spec = self.op, self.op.spec
+        x = codes.to(self.weight.dtype)[None]
+        if self.split:
+            high = (x / RADIX).floor_()
+            x = torch.cat((high, x - RADIX * high))
+        sums = functional.conv2d(x, self.weight, stride=spec.stride, padding=spec.padding)
+        # Whatever kernel torch may choose errs by far less than a half, so rounding restores the integers.
+        sums = sums.round_().double()
+        acc = sums[0].mul_(RADIX).add_(sums[1]) if self.split else sums[0]
+        if isinstance(op, AccumulateOp):
+            return acc.to(torch.int64)
+        if isinstance(requant := op.requant, ShiftRequant):
+            total = acc.to(torch.int64).mul_(_column(requant.mult)).add_(_column(requant.offset))
+            return total.bitwise_right_shift_(_column(requant.shift)).clamp_(spec.output.lo, spec.output.hi)
+        scaled = acc.mul_(_column(op.scale)).add_(_column(op.offset))
+        return scaled.round_().clamp_(spec.output.lo, spec.output.hi).to(torch.int64)
+
+
+def _looked_up(codes: Tensor, op: LookupOp | AddOp) -> Tensor:
+    return torch.from_numpy(op.table)[codes - op.low if op.low else codes]
 
 
 def _column(values: NDArray[np.int64] | NDArray[np.float64]) -> Tensor:
@@ -96,31 +120,34 @@ def host_codes(net: QuantDarkNet53, image: Tensor) -> Tensor:
 
 
 def training_codes(
-    net: QuantDarkNet53, image: Tensor, program: Program, depth: int | None = None
+    net: nn.Module, image: Tensor, program: Program, depth: int | None = None
 ) -> dict[str, Codes]:
     """The codes that the float32 training graph rounds to, under the names of the program's tensors.
 
+    Sums that leave as accumulators are in no quantiser and so not among them.
+
     Args:
-        net: in evaluation mode.
+        net: quantised backbone or whole network, in evaluation mode.
         image: ``[3, H, W]``, normalised.
         program: lowered from ``net``; its tensors stand in the order of the graph's activation quantisers.
-        depth: stages to run, enough for the program.
+        depth: of a backbone, stages to run, enough for the program.
     """
+    names = [program.input, *(op.name for op in program.ops if not isinstance(op, AccumulateOp))]
     recorded: list[Codes] = []
 
     def record(module: nn.Module, args: tuple[Any, ...], output: Tensor) -> None:
         assert isinstance(module, LsqQuantizer)
-        if len(recorded) <= len(program.ops):
+        if len(recorded) < len(names):
             recorded.append(module.to_codes(args[0])[0].numpy())
 
-    handles = [quantizer.register_forward_hook(record) for quantizer in net.activation_quantizers()]
+    quantizers = [m for m in net.modules() if isinstance(m, LsqQuantizer) and m.batched]
+    handles = [quantizer.register_forward_hook(record) for quantizer in quantizers]
     try:
         with torch.no_grad():
-            net(image[None], depth)
+            net(image[None]) if depth is None else net(image[None], depth)
     finally:
         for handle in handles:
             handle.remove()
-    names = [program.input, *(op.name for op in program.ops)]
     return dict(zip(names, recorded, strict=True))
 
 
@@ -140,4 +167,4 @@ def differing_shares(
 
 
 def _key(name: str) -> str:
-    return name.replace(".", "_")  # dots are not allowed in module names
+    return "op_" + name.replace(".", "_")  # no dots in module names, and no name of a method such as "half"

@@ -44,13 +44,7 @@ def fold_batch_norm(
     """
     if bn.running_mean is None or bn.running_var is None:
         raise ValueError("batch normalisation must keep running statistics (track_running_stats=True)")
-    s_w, s_a, s_out = (
-        step.detach().to(torch.float64).cpu().reshape(-1).numpy()
-        for step in (weight_step, input_step, output_step)
-    )
-    for name, step in (("weight", s_w), ("input", s_a), ("output", s_out)):
-        if not (np.isfinite(step).all() and (step > 0).all()):
-            raise ValueError(f"{name} step must be positive and finite, not {step.min()}; calibrate first")
+    s_w, s_a, s_out = _steps(weight=weight_step, input=input_step, output=output_step)
     gamma, beta, mu, var = (
         tensor.detach().to(torch.float64).cpu().numpy()
         for tensor in (bn.weight, bn.bias, bn.running_mean, bn.running_var)
@@ -61,3 +55,25 @@ def fold_batch_norm(
     if not (np.isfinite(scale).all() and np.isfinite(offset).all()):
         raise ValueError("folded scale and offset must be finite; check the batch-normalisation parameters")
     return Affine(scale, offset)
+
+
+def fold_bias(
+    bias: torch.Tensor, weight_step: torch.Tensor, input_step: torch.Tensor, output_step: torch.Tensor
+) -> Affine:
+    """Scale and offset behind a convolution with ``bias``, ``[c_out]``, and no normalisation, in float64.
+
+    Arguments and errors as for `fold_batch_norm`; an output step of 1 gives values instead of codes.
+    """
+    s_w, s_a, s_out = _steps(weight=weight_step, input=input_step, output=output_step)
+    offset = bias.detach().to(torch.float64).cpu().numpy() / s_out
+    if not np.isfinite(offset).all():
+        raise ValueError("bias must be finite; check the parameters")
+    return Affine(np.broadcast_to(s_w * s_a / s_out, offset.shape).copy(), offset)
+
+
+def _steps(**steps: torch.Tensor) -> list[NDArray[np.float64]]:
+    values = [step.detach().to(torch.float64).cpu().reshape(-1).numpy() for step in steps.values()]
+    for name, step in zip(steps, values, strict=True):
+        if not (np.isfinite(step).all() and (step > 0).all()):
+            raise ValueError(f"{name} step must be positive and finite, not {step.min()}; calibrate first")
+    return values

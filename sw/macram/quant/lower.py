@@ -36,7 +36,7 @@ def lower(net: QuantDarkNet53, height: int, width: int, *, last: str) -> Program
         ValueError: ``last`` is unknown, or a step that is needed was never set.
     """
     ops: list[Op] = []
-    for op in _operations(net, height, width):
+    for op in backbone_operations(net, height, width):
         ops.append(op)
         if op.name == last:
             shape = (net.init.conv.out_channels, height, width)
@@ -44,14 +44,14 @@ def lower(net: QuantDarkNet53, height: int, width: int, *, last: str) -> Program
     raise ValueError(f"last must be a tensor of the network, such as {ops[-1].name!r}, not {last!r}")
 
 
-def _operations(net: QuantDarkNet53, height: int, width: int) -> Iterator[Op]:
+def backbone_operations(net: QuantDarkNet53, height: int, width: int) -> Iterator[Op]:
     """Every operation of the backbone, lazily: steps beyond the last one taken need not be set."""
     size = height, width
     stream, stream_quant = "", None
     for s, stage in enumerate(cast(Iterator[QuantStage], net.stages), start=1):
         source = f"stage{s}.entry.input"
         if stream_quant is not None:
-            yield LookupOp(source, stream, _table(stream_quant, stage.entry.input_quant))
+            yield LookupOp(source, stream, code_table(stream_quant, stage.entry.input_quant))
         entry = _conv(f"stage{s}.entry", source, stage.entry, stage.stream_quant, size)
         yield entry
         size = entry.spec.out_height, entry.spec.out_width
@@ -59,10 +59,10 @@ def _operations(net: QuantDarkNet53, height: int, width: int) -> Iterator[Op]:
         for u, unit in enumerate(cast(Iterator[QuantUnit], stage.units), start=1):
             name = f"stage{s}.unit{u}"
             reduce, expand, branch = unit.reduce, unit.expand, unit.branch_quant
-            yield LookupOp(f"{name}.reduce.input", stream, _table(stream_quant, reduce.input_quant))
+            yield LookupOp(f"{name}.reduce.input", stream, code_table(stream_quant, reduce.input_quant))
             yield _conv(f"{name}.reduce", f"{name}.reduce.input", reduce, expand.input_quant, size)
             yield _conv(f"{name}.expand", f"{name}.reduce", expand, branch, size)
-            table = _table(branch, stream_quant)
+            table = code_table(branch, stream_quant)
             yield AddOp(name, stream, f"{name}.expand", table, stream_quant.code_format.hi)
             stream = name
 
@@ -79,11 +79,20 @@ def _conv(name: str, source: str, block: QuantConv, output: LsqQuantizer, size: 
     return ConvOp(name, source, spec, codes, *affine, derive_requant(spec, *affine))
 
 
-def _table(source: LsqQuantizer, target: LsqQuantizer) -> NDArray[np.int64]:
-    """Code of ``target`` for every unsigned code of ``source``: the same value, rounded half to even."""
+def code_table(source: LsqQuantizer, target: LsqQuantizer) -> NDArray[np.int64]:
+    """Code of ``target`` for every code of ``source``, smallest first: the nearest to the same value."""
+    return addend_table(source, target).clip(target.code_format.lo, target.code_format.hi)
+
+
+def addend_table(source: LsqQuantizer, target: LsqQuantizer, factor: float = 1.0) -> NDArray[np.int64]:
+    """``factor`` times every code of ``source`` in steps of ``target``, half to even, unlimited.
+
+    Raises:
+        ValueError: a step was never set.
+    """
     steps = source.positive_step.double().item(), target.positive_step.double().item()
     if not np.isfinite(steps).all():
         raise ValueError("activation steps were never set; calibrate the network or load a checkpoint")
-    codes = np.arange(source.code_format.hi + 1)
-    nearest: NDArray[np.float64] = np.rint(codes * steps[0] / steps[1])
-    return nearest.clip(0, target.code_format.hi).astype(np.int64)
+    codes = np.arange(source.code_format.lo, source.code_format.hi + 1)
+    nearest: NDArray[np.float64] = np.rint(codes * factor * steps[0] / steps[1])
+    return nearest.astype(np.int64)

@@ -45,6 +45,16 @@ class Precision:
             if getattr(self, name).signed:
                 raise ValueError(f"{name} must be an unsigned format, not {getattr(self, name)}")
 
+    @property
+    def signed_activation(self) -> IntFormat:
+        """As ``activation``, for convolution inputs that may be negative."""
+        return IntFormat(self.activation.bits, signed=True)
+
+    @property
+    def signed_stream(self) -> IntFormat:
+        """As ``stream``, for sums and differences that may be negative."""
+        return IntFormat(self.stream.bits, signed=True)
+
 
 class QuantDarkNet53(nn.Module):
     """The training graph of a quantised backbone. Shares (not copies) the parameters of ``model``.

@@ -40,26 +40,62 @@ class ConvOp:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class AccumulateOp:
+    """Convolution whose exact sums leave the array; the host takes ``scale * acc + offset`` for their values.
+
+    Attributes:
+        name: of the tensor made, ``[c_out, out_height, out_width]``.
+        source: name of the input, ``[c_in, height, width]``.
+        spec: shapes and formats; the output format is the accumulator's.
+        weights: int64 codes ``[c_out, c_in, k, k]``.
+        scale: float64 ``[c_out]``.
+        offset: float64 ``[c_out]``.
+    """
+
+    name: str
+    source: str
+    spec: ConvSpec
+    weights: Codes
+    scale: NDArray[np.float64]
+    offset: NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class LookupOp:
-    """Requantisation of an unsigned tensor through a table: ``table[code]``."""
+    """Requantisation of a tensor through a table: ``table[code - low]``; ``low`` is its smallest code."""
 
     name: str
     source: str
     table: Codes
+    low: int = 0
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class AddOp:
-    """Residual sum ``min(stream + table[branch], ceiling)``; the table is in the stream's step."""
+    """Sum ``clip(stream + table[branch - low], floor, ceiling)``; the table is in the stream's step.
+
+    Attributes:
+        name: of the tensor made.
+        stream: name of the first addend, whose step the sum keeps.
+        branch: name of the second addend.
+        table: what each code of the branch adds.
+        ceiling: largest code of the stream.
+        floor: smallest code of the stream.
+        low: smallest code of the branch.
+        doubled: the branch has half the rows and columns; every code of it serves four places.
+    """
 
     name: str
     stream: str
     branch: str
     table: Codes
     ceiling: int
+    floor: int = 0
+    low: int = 0
+    doubled: bool = False
 
 
-Op = ConvOp | LookupOp | AddOp
+Op = ConvOp | AccumulateOp | LookupOp | AddOp
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -127,8 +163,14 @@ def run_golden(program: Program, codes: NDArray[np.integer]) -> dict[str, Codes]
             case ConvOp():
                 acc = conv2d(tensors[op.source], op.weights, stride=op.spec.stride, padding=op.spec.padding)
                 tensors[op.name] = op.requant.apply(acc)
+            case AccumulateOp():
+                acc = conv2d(tensors[op.source], op.weights, stride=op.spec.stride, padding=op.spec.padding)
+                tensors[op.name] = acc.astype(np.int64)
             case LookupOp():
-                tensors[op.name] = op.table[tensors[op.source]]
+                tensors[op.name] = op.table[tensors[op.source] - op.low]
             case AddOp():
-                tensors[op.name] = np.minimum(tensors[op.stream] + op.table[tensors[op.branch]], op.ceiling)
+                branch = op.table[tensors[op.branch] - op.low]
+                if op.doubled:
+                    branch = branch.repeat(2, axis=1).repeat(2, axis=2)
+                tensors[op.name] = np.clip(tensors[op.stream] + branch, op.floor, op.ceiling)
     return tensors

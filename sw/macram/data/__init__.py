@@ -1,0 +1,1 @@
+"""Data sets with a known pose in every picture: readers, a renderer, checks."""

@@ -1,0 +1,1 @@
+"""A deferred renderer for a CubeSat in orbit, in NumPy and OpenCV alone."""

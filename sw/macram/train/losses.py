@@ -1,0 +1,122 @@
+"""The losses of CA-SpaceNet, as pure functions of predictions and targets.
+
+Class and pose losses are sums over cells and images, as published: the batch size belongs to the learning
+rate. Everything is computed in float32, whatever the network's precision.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+from torch.nn import functional
+
+from macram.train.targets import BACKGROUND, POSITIVE
+
+FOCAL_GAMMA = 2
+FOCAL_ALPHA = 0.25
+PROBABILITY_FLOOR = 1e-6
+POSE_SCALE = 50.0
+"""Puts the knee of the pose loss at 1/50 of the diameter; the published SPEED code has 200."""
+
+
+@dataclass(frozen=True, slots=True)
+class LossWeights:
+    """Factors of the summed losses.
+
+    Attributes:
+        classes: of `focal_loss`.
+        pose: of `object_space_loss`.
+        similarity: of `similarity_loss`; 0.25 in the paper, 1 in the published SwissCube code.
+        surface: of the training-only head's loss; departs from the paper.
+    """
+
+    classes: float = 0.01
+    pose: float = 0.1
+    similarity: float = 0.25
+    surface: float = 0.1
+
+
+def focal_loss(logits: Tensor, labels: Tensor) -> Tensor:
+    """Sum of the sigmoid focal loss (gamma 2, alpha 0.25) over all cells that are not ignored.
+
+    With p the object probability, clipped to 1e-6 from both ends: ``-0.25 (1 - p)^2 log p`` for a positive
+    cell, ``-0.75 p^2 log(1 - p)`` for background.
+
+    Args:
+        logits: any shape.
+        labels: the same shape; `POSITIVE`, `BACKGROUND`, anything else is ignored.
+    """
+    _same_shape("labels", labels, logits)
+    p = torch.sigmoid(logits.float()).clamp(PROBABILITY_FLOOR, 1 - PROBABILITY_FLOOR)
+    positive = -FOCAL_ALPHA * (1 - p) ** FOCAL_GAMMA * torch.log(p)
+    background = -(1 - FOCAL_ALPHA) * p**FOCAL_GAMMA * torch.log1p(-p)
+    return (positive * (labels == POSITIVE) + background * (labels == BACKGROUND)).sum()
+
+
+def object_space_loss(
+    pixels: Tensor, points: Tensor, intrinsics: Tensor, diameter: Tensor | float, scale: float = POSE_SCALE
+) -> Tensor:
+    """Pose loss in object space: how far each true point lies from the line of sight of its predicted pixel.
+
+    The predicted pixel's ray is ``b = K^-1 [u, v, 1]``; the true point's foot on it, ``b (b.P) / (b.b)``, is
+    compared with the point, per coordinate, by a Huber loss of ``scale * (foot - P) / diameter``, over
+    ``scale``. Mean over a cell's coordinates, sum over cells. No depth is predicted.
+
+    Args:
+        pixels: ``[M, K, 2]``, predicted keypoints of M positive cells; M may be 0.
+        points: ``[M, K, 3]``, true keypoints in the camera frame, any unit.
+        intrinsics: ``[M, 3, 3]`` or ``[3, 3]``, camera matrix after augmentation.
+        diameter: of the object, in the unit of ``points``; one, or ``[M]``.
+        scale: see `POSE_SCALE`.
+
+    Raises:
+        ValueError: shapes do not agree.
+    """
+    if pixels.shape[:-1] != points.shape[:-1] or pixels.shape[-1] != 2 or points.shape[-1] != 3:
+        raise ValueError(
+            "pixels must be [M, K, 2] and points [M, K, 3], "
+            f"not {list(pixels.shape)} and {list(points.shape)}"
+        )
+    pixels, points = pixels.float(), points.float()
+    homogeneous = functional.pad(pixels, (0, 1), value=1.0)
+    inverse = torch.linalg.inv(intrinsics.float())
+    rays = homogeneous @ inverse.mT
+    foot = rays * ((rays * points).sum(-1, keepdim=True) / (rays * rays).sum(-1, keepdim=True))
+    unit = scale / torch.as_tensor(diameter, dtype=torch.float32, device=pixels.device).reshape(-1, 1, 1)
+    cost = functional.smooth_l1_loss(foot * unit, points * unit, reduction="none", beta=1.0) / scale
+    return cost.sum() / (points.shape[-2] * 3)
+
+
+def similarity_loss(pseudo: tuple[Tensor, ...], counterfactual: tuple[Tensor, ...]) -> Tensor:
+    """Sum over the levels of the mean smooth-L1 distance (beta 1); only ``pseudo`` learns.
+
+    Args:
+        pseudo: one ``[N, C, H, W]`` per level.
+        counterfactual: the same shapes; taken as constants.
+    """
+    terms = [
+        functional.smooth_l1_loss(mine.float(), goal.detach().float(), beta=1.0)
+        for mine, goal in zip(pseudo, counterfactual, strict=True)
+    ]
+    return torch.stack(terms).sum()
+
+
+def surface_loss(outputs: Tensor, faces: Tensor, coordinates: Tensor) -> Tensor:
+    """Loss of the training-only surface head, sum over cells: cross entropy of the face, L1 of the point.
+
+    Args:
+        outputs: ``[M, 9]``, six face logits and the object coordinate in half extents.
+        faces: int64 ``[M]``, 0..5; -1 where the cell's ray misses the box, which does not count.
+        coordinates: ``[M, 3]``, -1..1.
+    """
+    outputs = outputs.float()
+    hit = faces >= 0
+    face = functional.cross_entropy(outputs[hit, :6], faces[hit], reduction="sum")
+    return face + (outputs[hit, 6:] - coordinates[hit].float()).abs().sum()
+
+
+def _same_shape(name: str, tensor: Tensor, like: Tensor) -> None:
+    if tensor.shape != like.shape:
+        raise ValueError(f"{name} must be {list(like.shape)}, not {list(tensor.shape)}")
