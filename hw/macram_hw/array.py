@@ -11,7 +11,7 @@ from macram_hw.line_buffer import LineBuffer
 from macram_hw.loader import Loader
 from macram_hw.sequencer import Sequencer
 from macram_hw.shape import LayerShape, ShapeDecoder
-from macram_hw.unit import PimUnit, UnitCore
+from macram_hw.unit import PimUnit, control_delay
 
 __all__ = ["COUNTERS", "Array", "FrameCheck"]
 
@@ -143,7 +143,7 @@ class Array(wiring.Component):
 
         # ---- the step's control follows it to the accumulators -------------------------------------------
         control, info = sequencer.step.control, sequencer.step.info
-        for stage in range(LineBuffer.LATENCY + UnitCore.CONTROL_DELAY):
+        for stage in range(LineBuffer.LATENCY + control_delay(config)):
             control_next = Signal.like(control, name=f"control{stage}")
             info_next = Signal.like(info, name=f"info{stage}", reset_less=True)
             m.d.sync += [control_next.eq(control), info_next.eq(info)]

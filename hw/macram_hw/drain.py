@@ -8,10 +8,11 @@ from macram.spec import GROUP, ArrayConfig
 from macram.spec.array import SECTIONS
 from macram_hw.engine import hdl_shape
 from macram_hw.gearbox import PixelWord
+from macram_hw.line_buffer import LineBuffer
 from macram_hw.requant import Requantiser
 from macram_hw.sequencer import GroupInfo
 from macram_hw.shape import LayerShape
-from macram_hw.unit import UnitCore
+from macram_hw.unit import unit_latency
 
 __all__ = ["Drain", "RequantWrite"]
 
@@ -39,12 +40,10 @@ class Drain(wiring.Component):
         o: Out stream, `PixelWord` of ``4 * drain`` channels; one per cycle when not stalled.
     """
 
-    ISSUE_TO_RESULT = 1 + 2 + UnitCore.LATENCY
-    """Cycles from the decision of a last step to its result in the registers."""
-
     def __init__(self, config: ArrayConfig):
         self._config = config
-        self.credit_at = max(config.drain_cycles - self.ISSUE_TO_RESULT - 1, 0)
+        decision_to_result = 1 + LineBuffer.LATENCY + unit_latency(config)
+        self.credit_at = max(config.drain_cycles - decision_to_result - 1, 0)
         chains = data.ArrayLayout(data.ArrayLayout(hdl_shape(config.accumulator), GROUP), config.drain)
         super().__init__({
             "start": In(1),

@@ -18,7 +18,7 @@ from macram.spec.registers import register_table
 from macram_hw.top import Top
 from macram_hw.unit import UnitCore
 
-__all__ = ["TOPLEVEL", "Export", "export_verilog"]
+__all__ = ["TOPLEVEL", "Export", "component_verilog", "export_verilog", "model_path"]
 
 TOPLEVEL = "macram_top"
 UNIT = "macram_unit"
@@ -27,7 +27,7 @@ FORMAT = 1
 
 @dataclass(frozen=True)
 class Export:
-    """What `export_verilog` wrote: ``sources`` in compile order, the lint waivers among them."""
+    """What `export_verilog` wrote: ``sources`` in compile order, with lint waivers and simulation models."""
 
     directory: Path
     sources: list[Path]
@@ -71,7 +71,13 @@ class _ExportPlatform:
         return Instance(UNIT, i_clk=ClockSignal(), i_rst=ResetSignal(), **ports)
 
 
-def _to_verilog(component, name: str) -> str:
+def model_path(name: str) -> Path:
+    """A hand-written Verilog file of this package."""
+    return Path(str(resources.files("macram_hw") / "verilog" / name))
+
+
+def component_verilog(component, name: str) -> str:
+    """One component as a Verilog module ``name``, memories and primitives as instances; the same bytes each time."""
     text = verilog.convert(
         component, name=name, platform=_ExportPlatform(), emit_src=False, strip_internal_attrs=True
     )
@@ -91,13 +97,16 @@ def export_verilog(config: ArrayConfig, directory: Path, *, mem_dir: Path | None
     """
     directory = Path(directory)
     texts = {
-        "macram_top.v": _to_verilog(Top(config), TOPLEVEL),
-        "macram_unit.v": _to_verilog(UnitCore(config), UNIT),
+        "macram_top.v": component_verilog(Top(config), TOPLEVEL),
+        "macram_unit.v": component_verilog(UnitCore(config), UNIT),
     }
-    hand_written = resources.files("macram_hw") / "verilog"
-    for name in ("macram_ram.v", "macram_lutram.v", "lint.vlt"):
-        texts[name] = (hand_written / name).read_text()
-    texts["macram_top.f"] = "\n".join(name for name in texts if name.endswith((".v", ".vlt"))) + "\n"
+    order = ["lint.vlt", "macram_ram.v", "macram_lutram.v", "macram_unit.v", "macram_top.v"]
+    texts |= {name: model_path(name).read_text() for name in order[:3]}
+    texts["macram_top.f"] = "".join(f"{name}\n" for name in order)
+    if config.engine == "dsp48e2":
+        # For simulation only, so not in the file list.
+        order.insert(1, "DSP48E2.v")
+        texts["DSP48E2.v"] = model_path("DSP48E2.v").read_text()
     texts["registers.md"] = register_table()
     hashes = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in sorted(texts.items())}
     if mem_dir is not None:
@@ -117,7 +126,6 @@ def export_verilog(config: ArrayConfig, directory: Path, *, mem_dir: Path | None
     directory.mkdir(parents=True, exist_ok=True)
     for name, text in texts.items():
         _write_if_changed(directory / name, text)
-    order = ("lint.vlt", "macram_ram.v", "macram_lutram.v", "macram_unit.v", "macram_top.v")
     return Export(directory, [directory / name for name in order])
 
 

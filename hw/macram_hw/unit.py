@@ -5,9 +5,11 @@ from amaranth.lib import data, memory, wiring
 from amaranth.lib.wiring import In, Out
 
 from macram.spec import GROUP, LANES, TAPS, ArrayConfig
-from macram_hw.engine import RowEngine, adder_tree, hdl_shape, lane_shape
+from macram_hw.engine import add_with_carry, adder_tree, hdl_shape, lane_shape, make_engine
 
-__all__ = ["AccumulateControl", "PimUnit", "UnitCore", "WeightWrite", "unit_signature"]
+__all__ = [
+    "AccumulateControl", "PimUnit", "UnitCore", "WeightWrite", "control_delay", "unit_latency", "unit_signature",
+]  # fmt: skip
 
 
 class AccumulateControl(data.StructLayout):
@@ -51,22 +53,29 @@ def unit_signature(config: ArrayConfig) -> wiring.Signature:
     return wiring.Signature({"weight": In(config.weight_word_bits), **_datapath_members(config)})
 
 
+def control_delay(config: ArrayConfig) -> int:
+    """Cycles from activations to lane sums added over the row engines."""
+    return config.engine_latency + 1
+
+
+def unit_latency(config: ArrayConfig) -> int:
+    """Cycles from activations to the result register."""
+    return control_delay(config) + 1
+
+
 class UnitCore(wiring.Component):
     """The arithmetic of a unit: ``rows`` row engines, a 6-lane adder tree, accumulators, a result register.
 
-    Latency from ``activations`` to ``chain_o`` is `LATENCY` cycles, throughput one step per cycle. It never
+    Latency from ``activations`` to ``chain_o`` is `unit_latency` cycles, throughput one step per cycle. It never
     stalls by itself: whoever sends ``last`` must know that the result register will have been shifted out.
 
     Members:
         weight: In, one weight word, one cycle before the activations it belongs to.
         activations: In, 4 pixels x ``rows`` channels, pixel-major.
-        control: In, `AccumulateControl`, two cycles after the activations it belongs to.
+        control: In, `AccumulateControl`, `control_delay` cycles after the activations it belongs to.
         shift: In, load the result register from ``chain_i``.
         chain_i, chain_o: the result register's neighbours; 4 accumulators, output column ``4 g - 1`` first.
     """
-
-    CONTROL_DELAY = RowEngine.LATENCY + 1
-    LATENCY = CONTROL_DELAY + 1
 
     def __init__(self, config: ArrayConfig):
         self._config = config
@@ -83,7 +92,7 @@ class UnitCore(wiring.Component):
         tap_bits, act_bits = TAPS * config.weight.bits, config.input.bits
         engines = []
         for row in range(config.rows):
-            engine = RowEngine(config)
+            engine = make_engine(config.engine, config)
             m.submodules[f"engine{row}"] = engine
             engines.append(engine)
             m.d.comb += engine.taps.eq(weight[row * tap_bits : (row + 1) * tap_bits])
@@ -94,8 +103,14 @@ class UnitCore(wiring.Component):
         sums = [
             Signal(lane_shape(config, config.rows), name=f"sum{k}", reset_less=True) for k in range(LANES)
         ]
+        # N engines have N - 1 adders between them; the carry left over rides into the accumulator.
+        spare: list = []
         for k, total in enumerate(sums):
-            m.d.sync += total.eq(adder_tree([engine.lanes[k] for engine in engines]))
+            carries = [engine.carries[k] for engine in engines if k in engine.CARRIES]
+            m.d.sync += total.eq(adder_tree([engine.lanes[k] for engine in engines], carries))
+            spare.append(Signal(name=f"carry{k}", reset_less=True) if carries else None)
+            if carries:
+                m.d.sync += spare[k].eq(carries[0])
 
         control = self.control
         carry_shape = data.ArrayLayout(acc, LANES - GROUP)
@@ -113,7 +128,9 @@ class UnitCore(wiring.Component):
             else:
                 start, addend = 0, sums[k]
             total = Signal(acc, name=f"total{k}")
-            m.d.comb += total.eq(Mux(control.first, start, running[k]) + addend)
+            before = Mux(control.first, start, running[k])
+            total_is = before + addend if spare[k] is None else add_with_carry(before, addend, spare[k])
+            m.d.comb += total.eq(total_is)
             totals.append(total)
             with m.If(control.en):
                 m.d.sync += running[k].eq(total)

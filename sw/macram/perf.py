@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from macram.spec import GROUP, TAPS, ArrayConfig, ConvSpec, StreamLayout, ceil_div
 
-DECISION_TO_RESULT = 6
-"""Cycles from the decision of a compute step to its sum in the result registers."""
+DECISION_TO_RESULT = 5
+"""Cycles from the decision of a compute step to its sum in the result registers, without the row engine's."""
 RESULT_TO_OUTPUT = 4
 """Cycles from the last drained word to the first word in the output gearbox."""
 WRITTEN_TO_DECISION = 2
@@ -65,7 +65,8 @@ def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
     whole_image = pixels_needed == layer.height * layer.width
     fill = pixel_in * pixels_needed + WRITTEN_TO_DECISION - whole_image
 
-    drain_period = max(array.drain_cycles, DECISION_TO_RESULT + 1)
+    to_result = DECISION_TO_RESULT + array.engine_latency
+    drain_period = max(array.drain_cycles, to_result + 1)
     period = max(steps, drain_period)
     results = layer.height * groups * tiles
     mac = results * steps
@@ -75,14 +76,7 @@ def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
     flush = 0 if tail else tiles * drain_period
     last_pixels = tail + (groups > 1) if tail else 1
     skipped_slot = int(groups == 1 and tail != 0)
-    drain = (
-        flush
-        + DECISION_TO_RESULT
-        + array.drain_cycles
-        + RESULT_TO_OUTPUT
-        + skipped_slot
-        + last_pixels * pixel_out
-    )
+    drain = flush + to_result + array.drain_cycles + RESULT_TO_OUTPUT + skipped_slot + last_pixels * pixel_out
     limited_by = "compute"
     if GROUP * pixel_in > tiles * period:
         limited_by = "input"

@@ -6,36 +6,52 @@ import numpy as np
 import pytest
 from stream_testing import simulate
 
-from macram.spec import GROUP, LANES, TAPS, ArrayConfig, IntFormat
-from macram_hw.engine import RowEngine
+from macram.spec import ENGINE_LATENCY, GROUP, LANES, TAPS, ArrayConfig, IntFormat
+from macram_hw.engine import make_engine
 
-
-def config(weight=3, act="u3"):
-    return ArrayConfig(
-        weight=IntFormat(weight, signed=True), input=IntFormat(int(act[1:]), signed=act[0] == "s")
-    )
+CASES = [(3, "u3"), (3, "s3"), (2, "u8"), (8, "u8"), (8, "s8"), (4, "u2")]
+DSP_CASES = [(3, "u3"), (2, "u3"), (3, "u2")]
 
 
 @pytest.mark.parametrize(
-    ("weight", "act"), [(3, "u3"), (3, "s3"), (2, "u8"), (8, "u8"), (8, "s8"), (4, "u2")]
+    ("kind", "weight", "act"),
+    [("portable", *case) for case in CASES] + [("dsp48e2", *case) for case in DSP_CASES],
 )
-def test_lanes_are_a_1d_convolution(weight, act):
-    cfg = config(weight, act)
+def test_lanes_are_a_1d_convolution(kind, weight, act):
+    cfg = ArrayConfig(
+        weight=IntFormat(weight, signed=True),
+        input=IntFormat(int(act[1:]), signed=act[0] == "s"),
+        engine=kind,
+    )
     a, w = cfg.input, cfg.weight
     rng = np.random.default_rng(7)
     corners = itertools.product((a.lo, a.hi), repeat=GROUP), itertools.product((w.lo, 0, w.hi), repeat=TAPS)
     cases = list(itertools.product(*corners))
     cases += [(rng.integers(a.lo, a.hi + 1, GROUP), rng.integers(w.lo, w.hi + 1, TAPS)) for _ in range(400)]
-    dut = RowEngine(cfg)
+    dut = make_engine(kind, cfg)
+    latency = ENGINE_LATENCY[kind]
 
     async def bench(ctx):
-        for pixels, taps in cases:
+        for cycle in range(len(cases) + latency):
+            if cycle >= latency:
+                pixels, taps = cases[cycle - latency]
+                lanes = [ctx.get(dut.lanes[k]) + ctx.get(dut.carries[k]) for k in range(LANES)]
+                assert lanes == np.convolve(pixels, taps).tolist(), (pixels, taps)
+            pixels, taps = cases[min(cycle, len(cases) - 1)]
             for i, pixel in enumerate(pixels):
                 ctx.set(dut.pixels[i], int(pixel))
             for j, tap in enumerate(taps):
                 ctx.set(dut.taps[j], int(tap))
-            await ctx.tick().repeat(RowEngine.LATENCY)
-            lanes = [ctx.get(dut.lanes[k]) for k in range(LANES)]
-            assert lanes == np.convolve(pixels, taps).tolist(), (pixels, taps)
+            await ctx.tick()
 
     simulate(dut, bench, cycles=2 * len(cases))
+
+
+@pytest.mark.parametrize(("weight", "act"), [(4, "u3"), (3, "u4"), (3, "s3")])
+def test_the_dsp_kind_refuses_other_formats(weight, act):
+    with pytest.raises(ValueError, match="engine dsp48e2 takes weights and unsigned inputs of up to 3 bits"):
+        ArrayConfig(
+            weight=IntFormat(weight, signed=True),
+            input=IntFormat(int(act[1:]), signed=act[0] == "s"),
+            engine="dsp48e2",
+        )

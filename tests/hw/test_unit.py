@@ -1,19 +1,22 @@
 """Unit core: steps with carry between groups against a plain 1-D convolution over whole rows."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from stream_testing import simulate
 
-from macram.spec import GROUP, TAPS, ArrayConfig
-from macram_hw.unit import UnitCore
+from macram.spec import ENGINE_LATENCY, GROUP, TAPS, ArrayConfig
+from macram_hw.unit import UnitCore, control_delay, unit_latency
 
 CONFIG = ArrayConfig(
     units=8, rows=2, drain=2, max_c_in=16, max_c_out=32, weight_depth=64, row_words=32, stream_bits=32
 )
 
 
+@pytest.mark.parametrize("engine", list(ENGINE_LATENCY))
 @pytest.mark.parametrize("kind", ["random", "most negative", "most positive", "zero"])
-def test_rows_of_several_tiles_interleave_without_mixing(kind):
+def test_rows_of_several_tiles_interleave_without_mixing(kind, engine):
     """Two rows of 12 columns, 3 tiles, 2 steps per sum: all columns but the last of the last row appear."""
     rng = np.random.default_rng(5)
     rows, width, tiles, steps = 2, 12, 3, 2
@@ -34,11 +37,12 @@ def test_rows_of_several_tiles_interleave_without_mixing(kind):
     plan = [
         (y, g, t, s) for y in range(rows) for g in range(groups) for t in range(tiles) for s in range(steps)
     ]
-    dut = UnitCore(CONFIG)
+    config = replace(CONFIG, engine=engine)
+    dut = UnitCore(config)
     results = {}
 
     async def bench(ctx):
-        depth = UnitCore.LATENCY + 1
+        depth = unit_latency(config) + 1
         for cycle in range(len(plan) + depth + 1):
             if cycle >= depth and cycle - depth < len(plan):
                 y, g, t, s = plan[cycle - depth]
@@ -56,7 +60,7 @@ def test_rows_of_several_tiles_interleave_without_mixing(kind):
                 for position, code in enumerate(acts[y, s, :, GROUP * g : GROUP * g + GROUP].T.reshape(-1)):
                     word |= int(code) << (3 * position)
             ctx.set(dut.activations, word)
-            at = cycle - 1 - UnitCore.CONTROL_DELAY
+            at = cycle - 1 - control_delay(config)
             active = 0 <= at < len(plan)
             ctx.set(dut.control.en, active)
             if active:

@@ -23,7 +23,11 @@ MULT_BITS, OFFSET_BITS, SHIFT_BITS = 18, 48, 6
 """Field widths of the multiplier-shift requantiser (5 to 8 output bits)."""
 MAX_THRESHOLD_BITS = 4
 """Up to this many output bits the requantiser compares with thresholds."""
-ENGINES = ("portable",)
+ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4}
+"""Row-engine kinds and their latencies in cycles. ``portable``: plain multipliers. ``dsp48e2``: twelve products in
+one DSP slice of UltraScale+, for weights and unsigned activations of up to 3 bits."""
+DSP_BITS = 3
+"""Most bits of an operand of the ``dsp48e2`` kind: its lanes lie 7 bits apart."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +46,7 @@ class ArrayConfig:
         stream_bits: TDATA width of all three streams.
         ingest: channel blocks written to the line buffer per cycle (one bank each).
         drain: channels requantised per cycle, times 4 pixels.
-        engine: row-engine kind.
+        engine: kind of the row engines, see `ENGINE_LATENCY`.
 
     Raises:
         ValueError: a field is out of range or two fields do not fit together.
@@ -72,8 +76,15 @@ class ArrayConfig:
             value = operator.index(getattr(self, key))
             if not lo <= value <= hi:
                 raise ValueError(f"{key} must be in {lo}..{hi}, not {value}")
-        if self.engine not in ENGINES:
-            raise ValueError(f"engine must be one of {', '.join(ENGINES)}, not {self.engine!r}")
+        if self.engine not in ENGINE_LATENCY:
+            raise ValueError(f"engine must be one of {', '.join(ENGINE_LATENCY)}, not {self.engine!r}")
+        if self.engine == "dsp48e2" and (
+            self.weight.bits > DSP_BITS or self.input.bits > DSP_BITS or self.input.signed
+        ):
+            raise ValueError(
+                f"engine dsp48e2 takes weights and unsigned inputs of up to {DSP_BITS} bits, "
+                f"not {self.weight} and {self.input}; use portable"
+            )
         for key in ("units", "rows", "drain"):
             value = getattr(self, key)
             if value & (value - 1):
@@ -155,6 +166,11 @@ class ArrayConfig:
     def output_word_channels(self) -> int:
         """Channels of one pixel that leave the output buffer per cycle."""
         return GROUP * self.drain
+
+    @property
+    def engine_latency(self) -> int:
+        """Cycles from activations to lane sums."""
+        return ENGINE_LATENCY[self.engine]
 
     @property
     def peak_macs(self) -> int:
