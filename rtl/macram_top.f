@@ -1,5 +1,5 @@
-macram_top.v
-macram_unit.v
+lint.vlt
 macram_ram.v
 macram_lutram.v
-lint.vlt
+macram_unit.v
+macram_top.v

@@ -27,10 +27,10 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   wire axi__wvalid;
   wire busy;
   wire \busy$70 ;
-  wire [15:0] c_in;
-  wire [15:0] \c_in$64 ;
-  wire [15:0] c_out;
-  wire [15:0] \c_out$66 ;
+  wire [31:0] c_in;
+  wire [31:0] \c_in$64 ;
+  wire [31:0] c_out;
+  wire [31:0] \c_out$66 ;
   wire clk;
   wire [3:0] command;
   wire [2:0] \command$56 ;
@@ -52,8 +52,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   wire [31:0] \fill_cycles$80 ;
   wire [31:0] formats;
   wire [31:0] geometry;
-  wire [15:0] height;
-  wire [15:0] \height$60 ;
+  wire [31:0] height;
+  wire [31:0] \height$60 ;
   wire [64:0] i__payload;
   wire [63:0] \i__payload.data ;
   wire \i__payload.last ;
@@ -146,9 +146,9 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   wire soft_reset;
   wire [31:0] status;
   wire [31:0] weight_depth;
-  wire [15:0] width;
-  wire [15:0] \width$62 ;
-  wire [15:0] words;
+  wire [31:0] width;
+  wire [31:0] \width$62 ;
+  wire [31:0] words;
   assign rst = ~ aresetn;
   assign \$1  = | error;
   \macram_top.array  array (
@@ -175,10 +175,10 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .\o__ready$49 (m_axis_tready),
     .\o__valid$51 (m_axis_tvalid),
     .output_stalls(output_stalls),
-    .\port$1012$0 (command),
+    .\port$1022$0 (command),
     .rst(rst),
     .width(width),
-    .words(param_words[15:0])
+    .words(words)
   );
   \macram_top.registers  registers (
     .axi__araddr(s_axi_araddr),
@@ -211,9 +211,9 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .mac_cycles(mac_cycles),
     .mode(mode),
     .output_stalls(output_stalls),
-    .param_words(param_words),
-    .\port$1049$0 (error),
-    .\port$1051$0 (done),
+    .param_words(words),
+    .\port$1059$0 (error),
+    .\port$1061$0 (done),
     .\port$2$0 (\$1 ),
     .rst(rst),
     .width(width)
@@ -240,7 +240,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign axi__rready = s_axi_rready;
   assign soft_reset = command[3];
   assign \command$56  = command[2:0];
-  assign words = param_words[15:0];
+  assign param_words = words;
   assign \height$60  = height;
   assign \width$62  = width;
   assign \c_in$64  = c_in;
@@ -280,7 +280,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__ready, \o__valid$51 , i__payload, \i__payload$53 , \port$1012$0 , height, width, c_in, c_out, mode, words, \error$608 , done, cycles, mac_cycles, fill_cycles
+module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__ready, \o__valid$51 , i__payload, \i__payload$53 , \port$1022$0 , height, width, c_in, c_out, mode, words, \error$608 , done, cycles, mac_cycles, fill_cycles
 , input_stalls, output_stalls, drain_cycles, \o__payload$47 , \busy$16 , clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
@@ -494,12 +494,12 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire busy;
   output \busy$16 ;
   wire \busy$16 ;
-  input [15:0] c_in;
-  wire [15:0] c_in;
-  wire [15:0] \c_in$5 ;
-  input [15:0] c_out;
-  wire [15:0] c_out;
-  wire [15:0] \c_out$7 ;
+  input [31:0] c_in;
+  wire [31:0] c_in;
+  wire [31:0] \c_in$5 ;
+  input [31:0] c_out;
+  wire [31:0] c_out;
+  wire [31:0] \c_out$7 ;
   wire [75:0] chain_i;
   wire [75:0] \chain_i$109 ;
   wire [18:0] \chain_i$109[0] ;
@@ -1666,9 +1666,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire [18:0] \heads[3][1] ;
   wire [18:0] \heads[3][2] ;
   wire [18:0] \heads[3][3] ;
-  input [15:0] height;
-  wire [15:0] height;
-  wire [15:0] \height$1 ;
+  input [31:0] height;
+  wire [31:0] height;
+  wire [31:0] \height$1 ;
   input [64:0] i__payload;
   wire [64:0] i__payload;
   wire [64:0] \i__payload$24 ;
@@ -1770,8 +1770,8 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire \params__payload.last ;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1012$0 ;
-  wire [3:0] \port$1012$0 ;
+  input [3:0] \port$1022$0 ;
+  wire [3:0] \port$1022$0 ;
   wire [14:0] read;
   wire [7:0] \read.address ;
   wire \read.bank ;
@@ -1786,56 +1786,56 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   input rst;
   wire rst;
   reg running = 1'h0;
-  wire [131:0] shape;
-  wire [131:0] \shape$13 ;
+  wire [132:0] shape;
+  wire [132:0] \shape$13 ;
   wire [15:0] \shape$13.beats_in ;
   wire [15:0] \shape$13.beats_out ;
   wire [13:0] \shape$13.blocks ;
-  wire [13:0] \shape$13.groups ;
+  wire [14:0] \shape$13.groups ;
   wire [15:0] \shape$13.height ;
   wire [13:0] \shape$13.ingest_words ;
   wire [11:0] \shape$13.output_words ;
   wire [1:0] \shape$13.tail ;
   wire [11:0] \shape$13.tiles ;
   wire [15:0] \shape$13.width ;
-  wire [131:0] \shape$59 ;
+  wire [132:0] \shape$59 ;
   wire [15:0] \shape$59.beats_in ;
   wire [15:0] \shape$59.beats_out ;
   wire [13:0] \shape$59.blocks ;
-  wire [13:0] \shape$59.groups ;
+  wire [14:0] \shape$59.groups ;
   wire [15:0] \shape$59.height ;
   wire [13:0] \shape$59.ingest_words ;
   wire [11:0] \shape$59.output_words ;
   wire [1:0] \shape$59.tail ;
   wire [11:0] \shape$59.tiles ;
   wire [15:0] \shape$59.width ;
-  wire [131:0] \shape$60 ;
+  wire [132:0] \shape$60 ;
   wire [15:0] \shape$60.beats_in ;
   wire [15:0] \shape$60.beats_out ;
   wire [13:0] \shape$60.blocks ;
-  wire [13:0] \shape$60.groups ;
+  wire [14:0] \shape$60.groups ;
   wire [15:0] \shape$60.height ;
   wire [13:0] \shape$60.ingest_words ;
   wire [11:0] \shape$60.output_words ;
   wire [1:0] \shape$60.tail ;
   wire [11:0] \shape$60.tiles ;
   wire [15:0] \shape$60.width ;
-  wire [131:0] \shape$61 ;
+  wire [132:0] \shape$61 ;
   wire [15:0] \shape$61.beats_in ;
   wire [15:0] \shape$61.beats_out ;
   wire [13:0] \shape$61.blocks ;
-  wire [13:0] \shape$61.groups ;
+  wire [14:0] \shape$61.groups ;
   wire [15:0] \shape$61.height ;
   wire [13:0] \shape$61.ingest_words ;
   wire [11:0] \shape$61.output_words ;
   wire [1:0] \shape$61.tail ;
   wire [11:0] \shape$61.tiles ;
   wire [15:0] \shape$61.width ;
-  wire [131:0] \shape$62 ;
+  wire [132:0] \shape$62 ;
   wire [15:0] \shape$62.beats_in ;
   wire [15:0] \shape$62.beats_out ;
   wire [13:0] \shape$62.blocks ;
-  wire [13:0] \shape$62.groups ;
+  wire [14:0] \shape$62.groups ;
   wire [15:0] \shape$62.height ;
   wire [13:0] \shape$62.ingest_words ;
   wire [11:0] \shape$62.output_words ;
@@ -1845,7 +1845,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
   wire [13:0] \shape.blocks ;
-  wire [13:0] \shape.groups ;
+  wire [14:0] \shape.groups ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [11:0] \shape.output_words ;
@@ -1949,13 +1949,13 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire [80:0] weight;
   wire [8:0] \weight.addr ;
   wire [71:0] \weight.data ;
-  input [15:0] width;
-  wire [15:0] width;
-  wire [15:0] \width$3 ;
+  input [31:0] width;
+  wire [31:0] width;
+  wire [31:0] \width$3 ;
   wire [95:0] word;
-  input [15:0] words;
-  wire [15:0] words;
-  wire [15:0] \words$11 ;
+  input [31:0] words;
+  wire [31:0] words;
+  wire [31:0] \words$11 ;
   wire [15:0] words_per_pixel;
   wire [543:0] write;
   wire [80:0] \write$104 ;
@@ -2221,16 +2221,16 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \$23  = \wait  - 1'h1;
   assign \$24  = \wait  == 1'h1;
   assign \$25  = ! error;
-  assign \$26  = | \port$1012$0 [2:0];
+  assign \$26  = | \port$1022$0 [2:0];
   assign \$27  = ~ busy;
   assign \$28  = \$26  & \$27 ;
-  assign \$29  = \port$1012$0 [2:0] - 1'h1;
-  assign \$30  = { 1'h0, \port$1012$0 [2:0] } & \$29 ;
+  assign \$29  = \port$1022$0 [2:0] - 1'h1;
+  assign \$30  = { 1'h0, \port$1022$0 [2:0] } & \$29 ;
   assign \$31  = ! \$30 ;
   assign \$32  = ~ \$31 ;
-  assign \$33  = \port$1012$0 [1] | \port$1012$0 [2];
+  assign \$33  = \port$1022$0 [1] | \port$1022$0 [2];
   assign \$34  = ! words;
-  assign \$35  = \port$1012$0 [2] ? 10'h100 : 10'h200;
+  assign \$35  = \port$1022$0 [2] ? 10'h100 : 10'h200;
   assign \$36  = words > \$35 ;
   assign \$37  = \$34  | \$36 ;
   assign \$38  = \$33  & \$37 ;
@@ -2296,16 +2296,16 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \$3  = \wait  == 1'h1;
   assign \$4  = ! error;
   assign start = \$3  & \$4 ;
-  assign \$5  = | \port$1012$0 [2:0];
+  assign \$5  = | \port$1022$0 [2:0];
   assign \$6  = ~ busy;
   assign \$7  = \$5  & \$6 ;
-  assign \$8  = \port$1012$0 [2:0] - 1'h1;
-  assign \$9  = { 1'h0, \port$1012$0 [2:0] } & \$8 ;
+  assign \$8  = \port$1022$0 [2:0] - 1'h1;
+  assign \$9  = { 1'h0, \port$1022$0 [2:0] } & \$8 ;
   assign \$10  = ! \$9 ;
   assign \$11  = ~ \$10 ;
-  assign \$12  = \port$1012$0 [1] | \port$1012$0 [2];
+  assign \$12  = \port$1022$0 [1] | \port$1022$0 [2];
   assign \$13  = ! words;
-  assign \$14  = \port$1012$0 [2] ? 10'h100 : 10'h200;
+  assign \$14  = \port$1022$0 [2] ? 10'h100 : 10'h200;
   assign \$15  = words > \$14 ;
   assign \$16  = \$13  | \$15 ;
   assign \$17  = \$12  & \$16 ;
@@ -2326,7 +2326,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .mode(mode),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1012$0 [3]),
+    .soft_reset(\port$1022$0 [3]),
     .width(width)
   );
   \macram_top.array.drain  drain (
@@ -2343,12 +2343,12 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1012$0 [3]),
+    .soft_reset(\port$1022$0 [3]),
     .start(start),
     .valid(\i__valid$45 )
   );
   \macram_top.array.emit  emit (
-    .beats_per_pixel(shape[131:116]),
+    .beats_per_pixel(shape[132:117]),
     .clk(clk),
     .i__payload(\i__payload$41 ),
     .i__ready(\o__ready$43 ),
@@ -2357,7 +2357,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .o__ready(\o__ready$49 ),
     .o__valid(\o__valid$51 ),
     .rst(rst),
-    .soft_reset(\port$1012$0 [3])
+    .soft_reset(\port$1022$0 [3])
   );
   \macram_top.array.frame  frame (
     .clk(clk),
@@ -2370,11 +2370,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .o__valid(\i__valid$33 ),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1012$0 [3]),
+    .soft_reset(\port$1022$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
-    .beats_per_pixel(shape[115:100]),
+    .beats_per_pixel(shape[116:101]),
     .clk(clk),
     .i__payload(i__payload[63:0]),
     .i__ready(o__ready),
@@ -2382,9 +2382,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .o__payload(\i__payload$35 ),
     .o__ready(\o__ready$37 ),
     .o__valid(\i__valid$39 ),
-    .\port$1086$62 (shape[75:62]),
+    .\port$1096$63 (shape[76:63]),
     .rst(rst),
-    .soft_reset(\port$1012$0 [3])
+    .soft_reset(\port$1022$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
@@ -2397,7 +2397,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .retire(retire),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1012$0 [3]),
+    .soft_reset(\port$1022$0 [3]),
     .start(start),
     .word(activations)
   );
@@ -2408,12 +2408,12 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .i__payload(\i__payload$53 ),
     .i__ready(\busy$16 ),
     .i__valid(\i__valid$57 ),
-    .\port$1295$0 (\$70 ),
-    .\port$1297$0 (\$71 ),
-    .\port$1299$0 (\$72 ),
+    .\port$1305$0 (\$70 ),
+    .\port$1307$0 (\$71 ),
+    .\port$1309$0 (\$72 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1012$0 [3]),
+    .soft_reset(\port$1022$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
     .unit_en(unit_en),
@@ -2430,7 +2430,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .retire(retire),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1012$0 [3]),
+    .soft_reset(\port$1022$0 [3]),
     .start(start),
     .starved(starved),
     .\step$37 (step)
@@ -3269,9 +3269,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (\$7 ) begin
       (* full_case = 32'd1 *)
       if (\$18 ) begin
-      end else if (\port$1012$0 [0]) begin
+      end else if (\port$1022$0 [0]) begin
       end else begin
-        start_weights = \port$1012$0 [1];
+        start_weights = \port$1022$0 [1];
       end
     end
   end
@@ -3281,9 +3281,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (\$7 ) begin
       (* full_case = 32'd1 *)
       if (\$18 ) begin
-      end else if (\port$1012$0 [0]) begin
+      end else if (\port$1022$0 [0]) begin
       end else begin
-        start_requant = \port$1012$0 [2];
+        start_requant = \port$1022$0 [2];
       end
     end
   end
@@ -3295,11 +3295,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     end
     if (\$28 ) begin
       if (\$39 ) begin
-      end else if (\port$1012$0 [0]) begin
+      end else if (\port$1022$0 [0]) begin
         \$53  = 2'h2;
       end
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$53  = 2'h0;
     end
     if (rst) begin
@@ -3317,7 +3317,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (\$42 ) begin
       \$54  = 1'h0;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$54  = 1'h0;
     end
     if (rst) begin
@@ -3345,7 +3345,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
         \$55  = \error$613 ;
       end
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$55  = 3'h0;
     end
     if (rst) begin
@@ -3361,7 +3361,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (\$42 ) begin
       \$56  = 1'h1;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$56  = 1'h0;
     end
     if (rst) begin
@@ -3371,7 +3371,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$57  = step[31:24];
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$57  = 8'h00;
     end
     if (rst) begin
@@ -3381,7 +3381,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$58  = control0;
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$58  = 8'h00;
     end
     if (rst) begin
@@ -3391,7 +3391,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$59  = control1;
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$59  = 8'h00;
     end
     if (rst) begin
@@ -3401,7 +3401,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$60  = control2;
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$60  = 8'h00;
     end
     if (rst) begin
@@ -3417,7 +3417,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$61  = 1'h0;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$61  = 1'h0;
     end
     if (rst) begin
@@ -3433,7 +3433,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$62  = 1'h0;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$62  = 1'h0;
     end
     if (rst) begin
@@ -3449,7 +3449,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$63  = 1'h0;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$63  = 1'h0;
     end
     if (rst) begin
@@ -3465,7 +3465,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$64  = 32'd0;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$64  = 32'd0;
     end
     if (rst) begin
@@ -3483,7 +3483,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$65  = 32'd0;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$65  = 32'd0;
     end
     if (rst) begin
@@ -3502,7 +3502,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$66  = 32'd0;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$66  = 32'd0;
     end
     if (rst) begin
@@ -3522,7 +3522,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$67  = 32'd0;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$67  = 32'd0;
     end
     if (rst) begin
@@ -3543,7 +3543,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$68  = 32'd0;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$68  = 32'd0;
     end
     if (rst) begin
@@ -3566,7 +3566,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$69  = 32'd0;
     end
-    if (\port$1012$0 [3]) begin
+    if (\port$1022$0 [3]) begin
       \$69  = 32'd0;
     end
     if (rst) begin
@@ -3580,7 +3580,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \mode$9  = mode;
   assign \words$11  = words;
   assign \shape$13  = shape;
-  assign command = \port$1012$0 [2:0];
+  assign command = \port$1022$0 [2:0];
   assign \i__payload$24  = i__payload;
   assign \i__ready$26  = i__ready;
   assign \i__valid$28  = i__valid;
@@ -3609,9 +3609,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \start$64  = start;
   assign \start$65  = start;
   assign \start$66  = start;
-  assign beats_per_pixel = shape[115:100];
-  assign words_per_pixel = { 2'h0, shape[75:62] };
-  assign \beats_per_pixel$69  = shape[131:116];
+  assign beats_per_pixel = shape[116:101];
+  assign words_per_pixel = { 2'h0, shape[76:63] };
+  assign \beats_per_pixel$69  = shape[132:117];
   assign \retire$71  = retire;
   assign read = step[14:0];
   assign \group_written$75  = group_written;
@@ -4066,27 +4066,27 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \activations$598  = activations;
   assign \control$599  = control3;
   assign \shift$600  = shift;
-  assign soft_reset = \port$1012$0 [3];
+  assign soft_reset = \port$1022$0 [3];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[45:32];
-  assign \shape.tail  = shape[47:46];
-  assign \shape.blocks  = shape[61:48];
-  assign \shape.ingest_words  = shape[75:62];
-  assign \shape.tiles  = shape[87:76];
-  assign \shape.output_words  = shape[99:88];
-  assign \shape.beats_in  = shape[115:100];
-  assign \shape.beats_out  = shape[131:116];
+  assign \shape.groups  = shape[46:32];
+  assign \shape.tail  = shape[48:47];
+  assign \shape.blocks  = shape[62:49];
+  assign \shape.ingest_words  = shape[76:63];
+  assign \shape.tiles  = shape[88:77];
+  assign \shape.output_words  = shape[100:89];
+  assign \shape.beats_in  = shape[116:101];
+  assign \shape.beats_out  = shape[132:117];
   assign \shape$13.height  = shape[15:0];
   assign \shape$13.width  = shape[31:16];
-  assign \shape$13.groups  = shape[45:32];
-  assign \shape$13.tail  = shape[47:46];
-  assign \shape$13.blocks  = shape[61:48];
-  assign \shape$13.ingest_words  = shape[75:62];
-  assign \shape$13.tiles  = shape[87:76];
-  assign \shape$13.output_words  = shape[99:88];
-  assign \shape$13.beats_in  = shape[115:100];
-  assign \shape$13.beats_out  = shape[131:116];
+  assign \shape$13.groups  = shape[46:32];
+  assign \shape$13.tail  = shape[48:47];
+  assign \shape$13.blocks  = shape[62:49];
+  assign \shape$13.ingest_words  = shape[76:63];
+  assign \shape$13.tiles  = shape[88:77];
+  assign \shape$13.output_words  = shape[100:89];
+  assign \shape$13.beats_in  = shape[116:101];
+  assign \shape$13.beats_out  = shape[132:117];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \i__payload$24.data  = i__payload[63:0];
@@ -4107,44 +4107,44 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \params__payload.last  = \i__payload$53 [64];
   assign \shape$59.height  = shape[15:0];
   assign \shape$59.width  = shape[31:16];
-  assign \shape$59.groups  = shape[45:32];
-  assign \shape$59.tail  = shape[47:46];
-  assign \shape$59.blocks  = shape[61:48];
-  assign \shape$59.ingest_words  = shape[75:62];
-  assign \shape$59.tiles  = shape[87:76];
-  assign \shape$59.output_words  = shape[99:88];
-  assign \shape$59.beats_in  = shape[115:100];
-  assign \shape$59.beats_out  = shape[131:116];
+  assign \shape$59.groups  = shape[46:32];
+  assign \shape$59.tail  = shape[48:47];
+  assign \shape$59.blocks  = shape[62:49];
+  assign \shape$59.ingest_words  = shape[76:63];
+  assign \shape$59.tiles  = shape[88:77];
+  assign \shape$59.output_words  = shape[100:89];
+  assign \shape$59.beats_in  = shape[116:101];
+  assign \shape$59.beats_out  = shape[132:117];
   assign \shape$60.height  = shape[15:0];
   assign \shape$60.width  = shape[31:16];
-  assign \shape$60.groups  = shape[45:32];
-  assign \shape$60.tail  = shape[47:46];
-  assign \shape$60.blocks  = shape[61:48];
-  assign \shape$60.ingest_words  = shape[75:62];
-  assign \shape$60.tiles  = shape[87:76];
-  assign \shape$60.output_words  = shape[99:88];
-  assign \shape$60.beats_in  = shape[115:100];
-  assign \shape$60.beats_out  = shape[131:116];
+  assign \shape$60.groups  = shape[46:32];
+  assign \shape$60.tail  = shape[48:47];
+  assign \shape$60.blocks  = shape[62:49];
+  assign \shape$60.ingest_words  = shape[76:63];
+  assign \shape$60.tiles  = shape[88:77];
+  assign \shape$60.output_words  = shape[100:89];
+  assign \shape$60.beats_in  = shape[116:101];
+  assign \shape$60.beats_out  = shape[132:117];
   assign \shape$61.height  = shape[15:0];
   assign \shape$61.width  = shape[31:16];
-  assign \shape$61.groups  = shape[45:32];
-  assign \shape$61.tail  = shape[47:46];
-  assign \shape$61.blocks  = shape[61:48];
-  assign \shape$61.ingest_words  = shape[75:62];
-  assign \shape$61.tiles  = shape[87:76];
-  assign \shape$61.output_words  = shape[99:88];
-  assign \shape$61.beats_in  = shape[115:100];
-  assign \shape$61.beats_out  = shape[131:116];
+  assign \shape$61.groups  = shape[46:32];
+  assign \shape$61.tail  = shape[48:47];
+  assign \shape$61.blocks  = shape[62:49];
+  assign \shape$61.ingest_words  = shape[76:63];
+  assign \shape$61.tiles  = shape[88:77];
+  assign \shape$61.output_words  = shape[100:89];
+  assign \shape$61.beats_in  = shape[116:101];
+  assign \shape$61.beats_out  = shape[132:117];
   assign \shape$62.height  = shape[15:0];
   assign \shape$62.width  = shape[31:16];
-  assign \shape$62.groups  = shape[45:32];
-  assign \shape$62.tail  = shape[47:46];
-  assign \shape$62.blocks  = shape[61:48];
-  assign \shape$62.ingest_words  = shape[75:62];
-  assign \shape$62.tiles  = shape[87:76];
-  assign \shape$62.output_words  = shape[99:88];
-  assign \shape$62.beats_in  = shape[115:100];
-  assign \shape$62.beats_out  = shape[131:116];
+  assign \shape$62.groups  = shape[46:32];
+  assign \shape$62.tail  = shape[48:47];
+  assign \shape$62.blocks  = shape[62:49];
+  assign \shape$62.ingest_words  = shape[76:63];
+  assign \shape$62.tiles  = shape[88:77];
+  assign \shape$62.output_words  = shape[100:89];
+  assign \shape$62.beats_in  = shape[116:101];
+  assign \shape$62.beats_out  = shape[132:117];
   assign \read.slot  = step[1:0];
   assign \read.address  = step[9:2];
   assign \read.bank  = step[10];
@@ -5184,42 +5184,44 @@ endmodule
 
 module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, mode, shape, error, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$2  = 0;
-  wire [16:0] \$1 ;
+  wire [32:0] \$1 ;
   wire \$10 ;
-  wire [25:0] \$11 ;
+  wire \$11 ;
   wire \$12 ;
-  wire [27:0] \$13 ;
+  wire [25:0] \$13 ;
   wire \$14 ;
-  wire [16:0] \$15 ;
-  wire [16:0] \$16 ;
-  wire [14:0] \$17 ;
-  wire [14:0] \$18 ;
-  wire [16:0] \$19 ;
-  wire [16:0] \$2 ;
-  wire [16:0] \$20 ;
-  wire [17:0] \$21 ;
-  wire [18:0] \$22 ;
-  wire [18:0] \$23 ;
-  wire [17:0] \$24 ;
-  wire [18:0] \$25 ;
-  wire [18:0] \$26 ;
-  wire \$27 ;
-  wire \$28 ;
-  reg [131:0] \$29 ;
-  wire [16:0] \$3 ;
-  reg [2:0] \$30 ;
-  wire [16:0] \$4 ;
+  wire [28:0] \$15 ;
+  wire \$16 ;
+  wire [32:0] \$17 ;
+  wire [32:0] \$18 ;
+  wire [14:0] \$19 ;
+  wire [32:0] \$2 ;
+  wire [14:0] \$20 ;
+  wire [32:0] \$21 ;
+  wire [32:0] \$22 ;
+  wire [33:0] \$23 ;
+  wire [34:0] \$24 ;
+  wire [34:0] \$25 ;
+  wire [33:0] \$26 ;
+  wire [34:0] \$27 ;
+  wire [34:0] \$28 ;
+  wire \$29 ;
+  wire [32:0] \$3 ;
+  wire \$30 ;
+  reg [132:0] \$31 ;
+  reg [2:0] \$32 ;
+  wire [32:0] \$4 ;
   wire \$5 ;
   wire \$6 ;
   wire \$7 ;
   wire \$8 ;
   wire \$9 ;
-  wire [7:0] bad_shape;
+  wire [9:0] bad_shape;
   wire [13:0] blocks;
-  input [15:0] c_in;
-  wire [15:0] c_in;
-  input [15:0] c_out;
-  wire [15:0] c_out;
+  input [31:0] c_in;
+  wire [31:0] c_in;
+  input [31:0] c_out;
+  wire [31:0] c_out;
   input clk;
   wire clk;
   (* enum_base_type = "Error" *)
@@ -5231,18 +5233,18 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   (* enum_value_101 = "BAD_COMMAND" *)
   output [2:0] error;
   reg [2:0] error = 3'h0;
-  input [15:0] height;
-  wire [15:0] height;
+  input [31:0] height;
+  wire [31:0] height;
   input [31:0] mode;
   wire [31:0] mode;
   input rst;
   wire rst;
-  output [131:0] shape;
-  reg [131:0] shape = 132'h000000000000000000000000000000000;
+  output [132:0] shape;
+  reg [132:0] shape = 133'h0000000000000000000000000000000000;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
   wire [13:0] \shape.blocks ;
-  wire [13:0] \shape.groups ;
+  wire [14:0] \shape.groups ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [11:0] \shape.output_words ;
@@ -5252,96 +5254,100 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   input soft_reset;
   wire soft_reset;
   wire [11:0] tiles;
-  input [15:0] width;
-  wire [15:0] width;
+  input [31:0] width;
+  wire [31:0] width;
   assign \$1  = c_in + 3'h7;
   assign \$3  = c_out + 6'h3f;
   assign \$5  = ! height;
   assign \$6  = ! width;
   assign \$7  = ! c_in;
   assign \$8  = ! c_out;
-  assign \$9  = c_in > 11'h400;
-  assign \$10  = c_out > 11'h400;
-  assign \$11  = shape[87:76] * shape[61:48];
-  assign \$12  = \$11  > 8'haa;
-  assign \$13  = shape[45:32] * shape[75:62];
-  assign \$14  = \$13  > 9'h100;
-  assign \$15  = width + 2'h3;
-  assign \$17  = \$2 [13:0] + 1'h1;
-  assign \$19  = c_out + 4'hf;
-  assign \$21  = c_in * 2'h3;
-  assign \$22  = \$21  + 6'h3f;
-  assign \$24  = c_out * 2'h3;
-  assign \$25  = \$24  + 6'h3f;
-  assign \$27  = mode != 17'h10103;
-  assign \$28  = | bad_shape;
+  assign \$9  = height > 16'hffff;
+  assign \$10  = width > 16'hffff;
+  assign \$11  = c_in > 11'h400;
+  assign \$12  = c_out > 11'h400;
+  assign \$13  = shape[88:77] * shape[62:49];
+  assign \$14  = \$13  > 8'haa;
+  assign \$15  = shape[46:32] * shape[76:63];
+  assign \$16  = \$15  > 9'h100;
+  assign \$17  = width + 2'h3;
+  assign \$19  = \$2 [13:0] + 1'h1;
+  assign \$21  = c_out + 4'hf;
+  assign \$23  = c_in * 2'h3;
+  assign \$24  = \$23  + 6'h3f;
+  assign \$26  = c_out * 2'h3;
+  assign \$27  = \$26  + 6'h3f;
+  assign \$29  = mode != 17'h10103;
+  assign \$30  = | bad_shape;
   always @(posedge clk)
-    shape <= \$29 ;
+    shape <= \$31 ;
   always @(posedge clk)
-    error <= \$30 ;
+    error <= \$32 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$29 [15:0] = height;
-    \$29 [31:16] = width;
-    \$29 [45:32] = \$16 [13:0];
-    \$29 [47:46] = width[1:0];
-    \$29 [61:48] = \$2 [13:0];
-    \$29 [75:62] = \$18 [13:0];
-    \$29 [87:76] = \$4 [11:0];
-    \$29 [99:88] = \$20 [11:0];
-    \$29 [115:100] = \$23 [15:0];
-    \$29 [131:116] = \$26 [15:0];
+    \$31 [15:0] = height[15:0];
+    \$31 [31:16] = width[15:0];
+    \$31 [46:32] = \$18 [14:0];
+    \$31 [48:47] = width[1:0];
+    \$31 [62:49] = \$2 [13:0];
+    \$31 [76:63] = \$20 [13:0];
+    \$31 [88:77] = \$4 [11:0];
+    \$31 [100:89] = \$22 [11:0];
+    \$31 [116:101] = \$25 [15:0];
+    \$31 [132:117] = \$28 [15:0];
     if (soft_reset) begin
-      \$29  = 132'h000000000000000000000000000000000;
+      \$31  = 133'h0000000000000000000000000000000000;
     end
     if (rst) begin
-      \$29  = 132'h000000000000000000000000000000000;
+      \$31  = 133'h0000000000000000000000000000000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
     (* full_case = 32'd1 *)
-    if (\$27 ) begin
-      \$30  = 3'h2;
-    end else if (\$28 ) begin
-      \$30  = 3'h1;
+    if (\$29 ) begin
+      \$32  = 3'h2;
+    end else if (\$30 ) begin
+      \$32  = 3'h1;
     end else begin
-      \$30  = 3'h0;
+      \$32  = 3'h0;
     end
     if (soft_reset) begin
-      \$30  = 3'h0;
+      \$32  = 3'h0;
     end
     if (rst) begin
-      \$30  = 3'h0;
+      \$32  = 3'h0;
     end
   end
   assign blocks = \$2 [13:0];
   assign tiles = \$4 [11:0];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[45:32];
-  assign \shape.tail  = shape[47:46];
-  assign \shape.blocks  = shape[61:48];
-  assign \shape.ingest_words  = shape[75:62];
-  assign \shape.tiles  = shape[87:76];
-  assign \shape.output_words  = shape[99:88];
-  assign \shape.beats_in  = shape[115:100];
-  assign \shape.beats_out  = shape[131:116];
-  assign bad_shape[7] = \$14 ;
-  assign bad_shape[6] = \$12 ;
+  assign \shape.groups  = shape[46:32];
+  assign \shape.tail  = shape[48:47];
+  assign \shape.blocks  = shape[62:49];
+  assign \shape.ingest_words  = shape[76:63];
+  assign \shape.tiles  = shape[88:77];
+  assign \shape.output_words  = shape[100:89];
+  assign \shape.beats_in  = shape[116:101];
+  assign \shape.beats_out  = shape[132:117];
+  assign bad_shape[9] = \$16 ;
+  assign bad_shape[8] = \$14 ;
+  assign bad_shape[7] = \$12 ;
+  assign bad_shape[6] = \$11 ;
   assign bad_shape[5] = \$10 ;
   assign bad_shape[4] = \$9 ;
   assign bad_shape[3] = \$8 ;
   assign bad_shape[2] = \$7 ;
   assign bad_shape[1] = \$6 ;
   assign bad_shape[0] = \$5 ;
-  assign \$2  = { 3'h0, \$1 [16:3] };
-  assign \$4  = { 6'h00, \$3 [16:6] };
-  assign \$16  = { 2'h0, \$15 [16:2] };
-  assign \$18  = { 1'h0, \$17 [14:1] };
-  assign \$20  = { 4'h0, \$19 [16:4] };
-  assign \$23  = { 6'h00, \$22 [18:6] };
-  assign \$26  = { 6'h00, \$25 [18:6] };
+  assign \$2  = { 3'h0, \$1 [32:3] };
+  assign \$4  = { 6'h00, \$3 [32:6] };
+  assign \$18  = { 2'h0, \$17 [32:2] };
+  assign \$20  = { 1'h0, \$19 [14:1] };
+  assign \$22  = { 4'h0, \$21 [32:4] };
+  assign \$25  = { 6'h00, \$24 [34:6] };
+  assign \$28  = { 6'h00, \$27 [34:6] };
 endmodule
 
 module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, soft_reset, \heads$59 , info, shape, o__payload, valid, reload__addr, reload__data, reload__en, clk);
@@ -5557,12 +5563,12 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   wire rst;
   reg [1:0] section = 2'h0;
   wire section_done;
-  input [131:0] shape;
-  wire [131:0] shape;
+  input [132:0] shape;
+  wire [132:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
   wire [13:0] \shape.blocks ;
-  wire [13:0] \shape.groups ;
+  wire [14:0] \shape.groups ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [11:0] \shape.output_words ;
@@ -5691,7 +5697,7 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   assign put__en = \$signal$29  ? \$9  : 4'h0;
   assign todo = \$10  >> \$signal$37 ;
   assign \$11  = word + 1'h1;
-  assign word_last = \$11  == shape[99:88];
+  assign word_last = \$11  == shape[100:89];
   assign pixel_after = | todo[3:1];
   assign \$12  = ~ valid;
   assign advance = \$12  | o__ready;
@@ -6289,14 +6295,14 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   assign \heads[3][3]  = accumulators[303:285];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[45:32];
-  assign \shape.tail  = shape[47:46];
-  assign \shape.blocks  = shape[61:48];
-  assign \shape.ingest_words  = shape[75:62];
-  assign \shape.tiles  = shape[87:76];
-  assign \shape.output_words  = shape[99:88];
-  assign \shape.beats_in  = shape[115:100];
-  assign \shape.beats_out  = shape[131:116];
+  assign \shape.groups  = shape[46:32];
+  assign \shape.tail  = shape[48:47];
+  assign \shape.blocks  = shape[62:49];
+  assign \shape.ingest_words  = shape[76:63];
+  assign \shape.tiles  = shape[88:77];
+  assign \shape.output_words  = shape[100:89];
+  assign \shape.beats_in  = shape[116:101];
+  assign \shape.beats_out  = shape[132:117];
   assign \o__payload.data  = o__payload[47:0];
   assign \o__payload.pixel_last  = o__payload[48];
   assign \o__payload.last  = o__payload[49];
@@ -7345,12 +7351,12 @@ module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault,
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
-  input [131:0] shape;
-  wire [131:0] shape;
+  input [132:0] shape;
+  wire [132:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
   wire [13:0] \shape.blocks ;
-  wire [13:0] \shape.groups ;
+  wire [14:0] \shape.groups ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [11:0] \shape.output_words ;
@@ -7365,7 +7371,7 @@ module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault,
   assign i__ready = o__ready & is_open;
   assign \$signal  = i__valid & i__ready;
   assign \$1  = \$signal$9  + 1'h1;
-  assign \$signal$8  = \$1  == shape[115:100];
+  assign \$signal$8  = \$1  == shape[116:101];
   assign \$2  = \$signal$12  + 1'h1;
   assign \$3  = \$2  == shape[31:16];
   assign \$signal$11  = \$signal$8  & \$3 ;
@@ -7463,17 +7469,17 @@ module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault,
   assign \i__payload.last  = i__payload[64];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[45:32];
-  assign \shape.tail  = shape[47:46];
-  assign \shape.blocks  = shape[61:48];
-  assign \shape.ingest_words  = shape[75:62];
-  assign \shape.tiles  = shape[87:76];
-  assign \shape.output_words  = shape[99:88];
-  assign \shape.beats_in  = shape[115:100];
-  assign \shape.beats_out  = shape[131:116];
+  assign \shape.groups  = shape[46:32];
+  assign \shape.tail  = shape[48:47];
+  assign \shape.blocks  = shape[62:49];
+  assign \shape.ingest_words  = shape[76:63];
+  assign \shape.tiles  = shape[88:77];
+  assign \shape.output_words  = shape[100:89];
+  assign \shape.beats_in  = shape[116:101];
+  assign \shape.beats_out  = shape[132:117];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1086$62 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1096$63 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -7524,8 +7530,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1086$62 ;
-  wire [13:0] \port$1086$62 ;
+  input [13:0] \port$1096$63 ;
+  wire [13:0] \port$1096$63 ;
   wire put;
   input rst;
   wire rst;
@@ -7538,7 +7544,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   assign o__valid = \$1  | \$2 ;
   assign \$signal$6  = o__valid & o__ready;
   assign \$3  = words_out + 1'h1;
-  assign \$4  = \$3  == \port$1086$62 ;
+  assign \$4  = \$3  == \port$1096$63 ;
   assign \$signal$8  = \$signal$6  & \$4 ;
   assign beats_after = \$signal$8  ? 16'h0000 : \$signal ;
   assign \$5  = level >= 6'h30;
@@ -7611,7 +7617,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
       \$26  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1086$62  };
+  assign words_per_pixel = { 2'h0, \port$1096$63  };
   assign \$like  = \$9 [6:0];
   assign o__payload = buffer[47:0];
   assign \$12  = { 48'h000000000000, buffer[111:48] };
@@ -7694,12 +7700,12 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
   reg [1:0] rows_free = 2'h0;
   input rst;
   wire rst;
-  input [131:0] shape;
-  wire [131:0] shape;
+  input [132:0] shape;
+  wire [132:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
   wire [13:0] \shape.blocks ;
-  wire [13:0] \shape.groups ;
+  wire [14:0] \shape.groups ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [11:0] \shape.output_words ;
@@ -7723,7 +7729,7 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
   assign i__ready = \$1  & \$2 ;
   assign \$signal  = i__valid & i__ready;
   assign \$3  = \$signal$6  + 1'h1;
-  assign \$4  = \$3  == shape[75:62];
+  assign \$4  = \$3  == shape[76:63];
   assign \$signal$5  = \$signal  & \$4 ;
   assign \$5  = \$signal$9  + 1'h1;
   assign \$6  = \$5  == shape[31:16];
@@ -7741,7 +7747,7 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
   assign \$14  = \$signal$5  ? 15'h0000 : \$13 ;
   assign \$15  = \$signal$9  + 1'h1;
   assign \$16  = \$signal$8  ? 17'h00000 : \$15 ;
-  assign \$17  = group_base + shape[75:62];
+  assign \$17  = group_base + shape[76:63];
   assign \$18  = \$signal$8  ? 15'h0000 : \$17 ;
   assign \$19  = row + 1'h1;
   assign \$20  = row + 1'h1;
@@ -7961,28 +7967,28 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
   assign \read__addr$22  = { read[1:0], read[9:2] };
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[45:32];
-  assign \shape.tail  = shape[47:46];
-  assign \shape.blocks  = shape[61:48];
-  assign \shape.ingest_words  = shape[75:62];
-  assign \shape.tiles  = shape[87:76];
-  assign \shape.output_words  = shape[99:88];
-  assign \shape.beats_in  = shape[115:100];
-  assign \shape.beats_out  = shape[131:116];
+  assign \shape.groups  = shape[46:32];
+  assign \shape.tail  = shape[48:47];
+  assign \shape.blocks  = shape[62:49];
+  assign \shape.ingest_words  = shape[76:63];
+  assign \shape.tiles  = shape[88:77];
+  assign \shape.output_words  = shape[100:89];
+  assign \shape.beats_in  = shape[116:101];
+  assign \shape.beats_out  = shape[132:117];
   assign \read.slot  = read[1:0];
   assign \read.address  = read[9:2];
   assign \read.bank  = read[10];
   assign \read.mask  = read[14:11];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, start_weights, start_requant, \port$1295$0 , \port$1297$0 , \port$1299$0 , i__ready, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, start_weights, start_requant, \port$1305$0 , \port$1307$0 , \port$1309$0 , i__ready, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
   wire [4:0] \$11 ;
   wire [4:0] \$12 ;
-  wire [16:0] \$13 ;
-  wire [16:0] \$14 ;
+  wire [10:0] \$13 ;
+  wire [10:0] \$14 ;
   wire [64:0] \$15 ;
   wire \$16 ;
   wire \$17 ;
@@ -8000,13 +8006,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   reg [575:0] \$28 ;
   reg [3:0] \$29 ;
   wire \$3 ;
-  reg [15:0] \$30 ;
+  reg [9:0] \$30 ;
   reg [63:0] \$31 ;
   reg \$32 ;
   reg \$33 ;
   reg [63:0] \$34 ;
   reg \$35 ;
-  wire [16:0] \$4 ;
+  wire [10:0] \$4 ;
   wire \$5 ;
   wire \$6 ;
   wire \$7 ;
@@ -8015,8 +8021,8 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   wire \$signal ;
   wire \$signal$10 ;
   wire \$signal$4 ;
-  reg [3:0] \$signal$5  = 4'h0;
   wire \$signal$7 ;
+  reg [3:0] beat_index = 4'h0;
   (* init = 1'h0 *)
   wire busy;
   input clk;
@@ -8041,13 +8047,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 9'h000 *)
-  output [8:0] \port$1295$0 ;
-  wire [8:0] \port$1295$0 ;
+  output [8:0] \port$1305$0 ;
+  wire [8:0] \port$1305$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1297$0 ;
-  wire [7:0] \port$1297$0 ;
-  output [535:0] \port$1299$0 ;
-  wire [535:0] \port$1299$0 ;
+  output [7:0] \port$1307$0 ;
+  wire [7:0] \port$1307$0 ;
+  output [535:0] \port$1309$0 ;
+  wire [535:0] \port$1309$0 ;
   wire [543:0] requant;
   wire [7:0] \requant.addr ;
   wire [535:0] \requant.data ;
@@ -8069,11 +8075,11 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   wire [80:0] weight;
   wire [8:0] \weight.addr ;
   wire [71:0] \weight.data ;
-  reg [15:0] word_index = 16'h0000;
-  input [15:0] words;
-  wire [15:0] words;
+  reg [9:0] word_index = 10'h000;
+  input [31:0] words;
+  wire [31:0] words;
   assign \$signal  = i__valid & i__ready;
-  assign \$1  = \$signal$5  + 1'h1;
+  assign \$1  = beat_index + 1'h1;
   assign \$2  = to_requant ? 4'h9 : 4'h2;
   assign \$3  = \$1  == \$2 ;
   assign \$signal$4  = \$signal  & \$3 ;
@@ -8086,10 +8092,10 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign fault = \$signal  & \$7 ;
   assign error = i__payload[64] ? 3'h3 : 3'h4;
   assign \$10  = { 511'h00000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000, \$8  } | \$9 ;
-  assign \$11  = \$signal$5  + 1'h1;
+  assign \$11  = beat_index + 1'h1;
   assign \$12  = \$signal$4  ? 5'h00 : \$11 ;
   assign \$13  = word_index + 1'h1;
-  assign \$14  = \$signal$7  ? 17'h00000 : \$13 ;
+  assign \$14  = \$signal$7  ? 11'h000 : \$13 ;
   assign \$16  = \$signal$10  | fault;
   assign \$17  = ~ i__ready;
   assign \$18  = start_weights | start_requant;
@@ -8105,7 +8111,7 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   always @(posedge clk)
     shifter <= \$28 ;
   always @(posedge clk)
-    \$signal$5  <= \$29 ;
+    beat_index <= \$29 ;
   always @(posedge clk)
     word_index <= \$30 ;
   always @(posedge clk)
@@ -8147,7 +8153,7 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$29  = \$signal$5 ;
+    \$29  = beat_index;
     if (\$signal ) begin
       \$29  = \$12 [3:0];
     end
@@ -8165,16 +8171,16 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
     if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
     \$30  = word_index;
     if (\$signal$4 ) begin
-      \$30  = \$14 [15:0];
+      \$30  = \$14 [9:0];
     end
     if (\$19 ) begin
-      \$30  = 16'h0000;
+      \$30  = 10'h000;
     end
     if (soft_reset) begin
-      \$30  = 16'h0000;
+      \$30  = 10'h000;
     end
     if (rst) begin
-      \$30  = 16'h0000;
+      \$30  = 10'h000;
     end
   end
   always @* begin
@@ -8245,9 +8251,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[519:448], \$25  };
   assign requant = { shifter[535:0], \$27  };
-  assign \port$1295$0  = \$25 ;
-  assign \port$1297$0  = \$27 ;
-  assign \port$1299$0  = shifter[535:0];
+  assign \port$1305$0  = \$25 ;
+  assign \port$1307$0  = \$27 ;
+  assign \port$1309$0  = shifter[535:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$25 ;
@@ -8262,7 +8268,7 @@ endmodule
 module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire, credit, soft_reset, shape, group_written, image_written, flushing, \step$37 , clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$10  = 0;
   wire [14:0] \$1 ;
-  wire [14:0] \$10 ;
+  wire [15:0] \$10 ;
   wire [16:0] \$11 ;
   wire \$12 ;
   wire \$13 ;
@@ -8301,18 +8307,18 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   wire \$43 ;
   wire \$44 ;
   wire \$45 ;
-  wire [17:0] \$46 ;
+  wire [18:0] \$46 ;
   wire \$47 ;
   wire \$48 ;
   wire \$49 ;
   wire \$5 ;
-  wire [18:0] \$50 ;
+  wire [19:0] \$50 ;
   wire \$51 ;
   wire [14:0] \$52 ;
   wire [10:0] \$53 ;
   wire [2:0] \$54 ;
   wire [12:0] \$55 ;
-  wire [14:0] \$56 ;
+  wire [15:0] \$56 ;
   wire [14:0] \$57 ;
   wire \$58 ;
   wire [16:0] \$59 ;
@@ -8322,8 +8328,8 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   wire \$62 ;
   wire \$63 ;
   wire \$64 ;
-  wire [14:0] \$65 ;
-  wire [14:0] \$66 ;
+  wire [15:0] \$65 ;
+  wire [15:0] \$66 ;
   wire [13:0] \$67 ;
   wire [14:0] \$68 ;
   wire [3:0] \$69 ;
@@ -8332,14 +8338,14 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   wire \$71 ;
   wire \$72 ;
   wire \$73 ;
-  reg [16:0] \$74 ;
+  reg [17:0] \$74 ;
   reg \$75 ;
   reg [13:0] \$76 ;
   reg [9:0] \$77 ;
   reg [1:0] \$78 ;
   reg [11:0] \$79 ;
   wire \$8 ;
-  reg [13:0] \$80 ;
+  reg [14:0] \$80 ;
   reg [8:0] \$81 ;
   reg [15:0] \$82 ;
   reg \$83 ;
@@ -8349,14 +8355,14 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   wire [12:0] \$9 ;
   wire \$signal ;
   wire \$signal$10 ;
-  reg [13:0] \$signal$11  = 14'h0000;
+  reg [14:0] \$signal$11  = 15'h0000;
   wire \$signal$12 ;
   reg [15:0] \$signal$13  = 16'h0000;
   wire \$signal$4 ;
   reg [1:0] \$signal$5  = 2'h0;
   wire \$signal$7 ;
   wire \$signal$9 ;
-  reg [16:0] ahead = 17'h00000;
+  reg [17:0] ahead = 18'h00000;
   reg [13:0] block = 14'h0000;
   output blocked;
   wire blocked;
@@ -8384,12 +8390,12 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   wire row_exists;
   input rst;
   wire rst;
-  input [131:0] shape;
-  wire [131:0] shape;
+  input [132:0] shape;
+  wire [132:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
   wire [13:0] \shape.blocks ;
-  wire [13:0] \shape.groups ;
+  wire [14:0] \shape.groups ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [11:0] \shape.output_words ;
@@ -8427,9 +8433,9 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   reg [11:0] tile = 12'h000;
   reg valid = 1'h0;
   reg [9:0] weight = 10'h000;
-  assign \$signal$9  = \$9  == shape[87:76];
+  assign \$signal$9  = \$9  == shape[88:77];
   assign \$10  = \$signal$11  + 1'h1;
-  assign \$signal$10  = \$10  == shape[45:32];
+  assign \$signal$10  = \$10  == shape[46:32];
   assign \$11  = \$signal$13  + 1'h1;
   assign \$signal$12  = \$11  == shape[15:0];
   assign \$12  = ~ \$signal$7 ;
@@ -8460,13 +8466,13 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   assign \$30  = \$28  & \$29 ;
   assign \$31  = ~ flushing;
   assign row_exists = \$30  & \$31 ;
-  assign \$32  = | shape[47:46];
+  assign \$32  = | shape[48:47];
   assign \$33  = \$signal$10  & \$32 ;
-  assign \$34  = 1'h1 << shape[47:46];
+  assign \$34  = 1'h1 << shape[48:47];
   assign \$35  = \$34  - 1'h1;
   assign \$36  = \$33  ? \$35  : 5'h0f;
   assign \edge  = ! \$signal$11 ;
-  assign \$37  = ! shape[47:46];
+  assign \$37  = ! shape[48:47];
   assign \$38  = | \$signal$13 ;
   assign \$39  = \$37  & \$38 ;
   assign \$40  = \edge  ? \$39  : 1'h1;
@@ -8486,20 +8492,20 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   assign \$54  = \$signal$5  + 1'h1;
   assign \$55  = tile + 1'h1;
   assign \$56  = \$signal$11  + 1'h1;
-  assign \$57  = group_base + shape[75:62];
+  assign \$57  = group_base + shape[76:63];
   assign \$58  = \$signal$10  | flushing;
   assign \$59  = \$signal$13  + 1'h1;
   assign \$60  = \$signal$12  | flushing;
-  assign \$61  = ! shape[47:46];
+  assign \$61  = ! shape[48:47];
   assign \$62  = ~ flushing;
   assign \$63  = \$61  & \$62 ;
   assign \$64  = shape[15:0] == 1'h1;
-  assign \$65  = - shape[45:32];
-  assign \$66  = \$64  ? 15'h0000 : \$65 ;
+  assign \$65  = - shape[46:32];
+  assign \$66  = \$64  ? 16'h0000 : \$65 ;
   assign \$68  = group_base + \$67 ;
   assign \$69  = row_exists ? \$36 [3:0] : 4'h0;
   assign \$70  = \$signal$12  & \$signal$10 ;
-  assign \$71  = | shape[47:46];
+  assign \$71  = | shape[48:47];
   assign \$72  = \$70  & \$71 ;
   assign \$73  = flushing | \$72 ;
   always @(posedge clk)
@@ -8529,7 +8535,7 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   always @(posedge clk)
     \step$37  <= \$86 ;
   assign \$1  = block + 1'h1;
-  assign \$2  = \$1  == shape[61:48];
+  assign \$2  = \$1  == shape[62:49];
   assign \$signal  = flushing | \$2 ;
   assign \$3  = ! \$signal$5 ;
   assign \$4  = ! block;
@@ -8543,15 +8549,15 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   assign \$9  = tile + 1'h1;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$74  = \$50 [16:0];
+    \$74  = \$50 [17:0];
     if (start) begin
-      \$74  = { \$66 [14], \$66 [14], \$66  };
+      \$74  = { \$66 [15], \$66 [15], \$66  };
     end
     if (soft_reset) begin
-      \$74  = 17'h00000;
+      \$74  = 18'h00000;
     end
     if (rst) begin
-      \$74  = 17'h00000;
+      \$74  = 18'h00000;
     end
   end
   always @* begin
@@ -8660,21 +8666,21 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
     if (step) begin
       if (last) begin
         if (\$signal$9 ) begin
-          \$80  = \$56 [13:0];
+          \$80  = \$56 [14:0];
           if (\$58 ) begin
-            \$80  = 14'h0000;
+            \$80  = 15'h0000;
           end
         end
       end
     end
     if (start) begin
-      \$80  = 14'h0000;
+      \$80  = 15'h0000;
     end
     if (soft_reset) begin
-      \$80  = 14'h0000;
+      \$80  = 15'h0000;
     end
     if (rst) begin
-      \$80  = 14'h0000;
+      \$80  = 15'h0000;
     end
   end
   always @* begin
@@ -8815,14 +8821,14 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   assign pixels = \$36 [3:0];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[45:32];
-  assign \shape.tail  = shape[47:46];
-  assign \shape.blocks  = shape[61:48];
-  assign \shape.ingest_words  = shape[75:62];
-  assign \shape.tiles  = shape[87:76];
-  assign \shape.output_words  = shape[99:88];
-  assign \shape.beats_in  = shape[115:100];
-  assign \shape.beats_out  = shape[131:116];
+  assign \shape.groups  = shape[46:32];
+  assign \shape.tail  = shape[48:47];
+  assign \shape.blocks  = shape[62:49];
+  assign \shape.ingest_words  = shape[76:63];
+  assign \shape.tiles  = shape[88:77];
+  assign \shape.output_words  = shape[100:89];
+  assign \shape.beats_in  = shape[116:101];
+  assign \shape.beats_out  = shape[132:117];
   assign \step$37.read  = \step$37 [14:0];
   assign \step$37.read.slot  = \step$37 [1:0];
   assign \step$37.read.address  = \step$37 [9:2];
@@ -16848,7 +16854,7 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, axi__rvalid, axi__rdata, axi__rresp, \port$1049$0 , \port$1051$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, clk);
+, c_out, mode, param_words, axi__rvalid, axi__rdata, axi__rresp, \port$1059$0 , \port$1061$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -16868,10 +16874,10 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   reg [3:0] \$23 ;
   reg \$24 ;
   reg [1:0] \$25 ;
-  reg [15:0] \$26 ;
-  reg [15:0] \$27 ;
-  reg [15:0] \$28 ;
-  reg [15:0] \$29 ;
+  reg [31:0] \$26 ;
+  reg [31:0] \$27 ;
+  reg [31:0] \$28 ;
+  reg [31:0] \$29 ;
   wire \$3 ;
   reg [31:0] \$30 ;
   reg [31:0] \$31 ;
@@ -16927,10 +16933,10 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   wire axi__wvalid;
   input busy;
   wire busy;
-  output [15:0] c_in;
-  reg [15:0] c_in = 16'h0000;
-  output [15:0] c_out;
-  reg [15:0] c_out = 16'h0000;
+  output [31:0] c_in;
+  reg [31:0] c_in = 32'd0;
+  output [31:0] c_out;
+  reg [31:0] c_out = 32'd0;
   input clk;
   wire clk;
   output [3:0] command;
@@ -16945,8 +16951,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   wire [31:0] fill_cycles;
   wire [31:0] formats;
   wire [31:0] geometry;
-  output [15:0] height;
-  reg [15:0] height = 16'h0000;
+  output [31:0] height;
+  reg [31:0] height = 32'd0;
   reg held = 1'h0;
   input [31:0] input_stalls;
   wire [31:0] input_stalls;
@@ -16959,10 +16965,10 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   wire [31:0] output_stalls;
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
-  input [2:0] \port$1049$0 ;
-  wire [2:0] \port$1049$0 ;
-  input \port$1051$0 ;
-  wire \port$1051$0 ;
+  input [2:0] \port$1059$0 ;
+  wire [2:0] \port$1059$0 ;
+  input \port$1061$0 ;
+  wire \port$1061$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
   wire [31:0] row_words;
@@ -16970,8 +16976,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   wire rst;
   wire [31:0] status;
   wire [31:0] weight_depth;
-  output [15:0] width;
-  reg [15:0] width = 16'h0000;
+  output [31:0] width;
+  reg [31:0] width = 32'd0;
   assign axi__awready = ~ address_held;
   assign axi__wready = ~ data_held;
   assign axi__arready = ~ held;
@@ -17186,11 +17192,17 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
               if (\$signal$14 [1]) begin
                 \$26 [15:8] = \$signal$12 [15:8];
               end
+              if (\$signal$14 [2]) begin
+                \$26 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$26 [31:24] = \$signal$12 [31:24];
+              end
             end
       endcase
     end
     if (rst) begin
-      \$26  = 16'h0000;
+      \$26  = 32'd0;
     end
   end
   always @* begin
@@ -17209,11 +17221,17 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
               if (\$signal$14 [1]) begin
                 \$27 [15:8] = \$signal$12 [15:8];
               end
+              if (\$signal$14 [2]) begin
+                \$27 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$27 [31:24] = \$signal$12 [31:24];
+              end
             end
       endcase
     end
     if (rst) begin
-      \$27  = 16'h0000;
+      \$27  = 32'd0;
     end
   end
   always @* begin
@@ -17234,11 +17252,17 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
               if (\$signal$14 [1]) begin
                 \$28 [15:8] = \$signal$12 [15:8];
               end
+              if (\$signal$14 [2]) begin
+                \$28 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$28 [31:24] = \$signal$12 [31:24];
+              end
             end
       endcase
     end
     if (rst) begin
-      \$28  = 16'h0000;
+      \$28  = 32'd0;
     end
   end
   always @* begin
@@ -17261,11 +17285,17 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
               if (\$signal$14 [1]) begin
                 \$29 [15:8] = \$signal$12 [15:8];
               end
+              if (\$signal$14 [2]) begin
+                \$29 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$29 [31:24] = \$signal$12 [31:24];
+              end
             end
       endcase
     end
     if (rst) begin
-      \$29  = 16'h0000;
+      \$29  = 32'd0;
     end
   end
   always @* begin
@@ -17393,17 +17423,17 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h02:
             \$35  = 32'd0;
         5'h03:
-            \$35  = { 29'h00000000, \port$2$0 , \port$1051$0 , busy };
+            \$35  = { 29'h00000000, \port$2$0 , \port$1061$0 , busy };
         5'h04:
-            \$35  = { 29'h00000000, \port$1049$0  };
+            \$35  = { 29'h00000000, \port$1059$0  };
         5'h05:
-            \$35  = { 16'h0000, height };
+            \$35  = height;
         5'h06:
-            \$35  = { 16'h0000, width };
+            \$35  = width;
         5'h07:
-            \$35  = { 16'h0000, c_in };
+            \$35  = c_in;
         5'h08:
-            \$35  = { 16'h0000, c_out };
+            \$35  = c_out;
         5'h09:
             \$35  = mode;
         5'h0a:
@@ -17496,8 +17526,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       \$36  = 2'h0;
     end
   end
-  assign status = { 29'h00000000, \port$2$0 , \port$1051$0 , busy };
-  assign error = { 29'h00000000, \port$1049$0  };
+  assign status = { 29'h00000000, \port$2$0 , \port$1061$0 , busy };
+  assign error = { 29'h00000000, \port$1059$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
   assign weight_depth = 32'd512;

@@ -87,8 +87,7 @@ class Array(wiring.Component):
         self._config = config
         beat = Beat(config.stream_bits)
         super().__init__({
-            "height": In(16), "width": In(16), "c_in": In(16), "c_out": In(16), "mode": In(32),
-            "words": In(16),
+            **{name: In(32) for name in ("height", "width", "c_in", "c_out", "mode", "words")},
             "command": In(3),
             "busy": Out(1),
             "done": Out(1),

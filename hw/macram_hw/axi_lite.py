@@ -13,8 +13,6 @@ __all__ = ["OKAY", "SLVERR", "AxiLite", "AxiLiteRegisters"]
 OKAY, SLVERR = 0, 2
 """Values of BRESP and RRESP that are used."""
 DATA_BITS = 32
-_WIDTHS = {"HEIGHT": 16, "WIDTH": 16, "C_IN": 16, "C_OUT": 16}
-"""RW registers narrower than 32 bits: bits above are not stored and read as zero."""
 _CONSTANTS = {"ID": ID_VALUE, "VERSION": VERSION_VALUE}
 
 
@@ -76,7 +74,7 @@ class AxiLiteRegisters(wiring.Component):
     Members besides ``axi``, named after the registers in lower case:
 
     - ``command`` (out, 4): the `Control` bits of an accepted write to CONTROL, for one cycle.
-    - one output per RW register, ``height width c_in c_out`` (16 bits), ``mode param_words`` (32 bits);
+    - one 32-bit output per RW register: ``height width c_in c_out mode param_words``;
     - one 32-bit input per RO register other than ID and VERSION, which are constants;
     - ``busy`` (in): while it is high, writes to RW registers and commands other than a lone SOFT_RESET are
       answered SLVERR and change nothing.
@@ -104,7 +102,7 @@ class AxiLiteRegisters(wiring.Component):
                 "axi": In(AxiLite(ADDRESS_BITS)),
                 "command": Out(len(Control)),
                 "busy": In(1),
-                **{r.name.lower(): Out(_WIDTHS.get(r.name, DATA_BITS), init=r.reset) for r in self._stored},
+                **{r.name.lower(): Out(DATA_BITS, init=r.reset) for r in self._stored},
                 **{r.name.lower(): In(DATA_BITS) for r in self._inputs},
             }
         )

@@ -31,7 +31,7 @@ class Loader(wiring.Component):
         super().__init__({
             "start_weights": In(1),
             "start_requant": In(1),
-            "words": In(16),
+            "words": In(32),
             "i": In(stream.Signature(Beat(config.stream_bits))),
             "unit_en": Out(config.units),
             "weight": Out(WeightWrite(config)),
@@ -51,7 +51,8 @@ class Loader(wiring.Component):
 
         shifter = Signal(beat * max(weight_beats, requant_beats), reset_less=True)
         to_requant = Signal()
-        beat_index, word_index = Signal(range(max(weight_beats, requant_beats) + 1)), Signal(16)
+        beat_index = Signal(range(max(weight_beats, requant_beats) + 1))
+        word_index = Signal(range(max(config.weight_depth, config.requant_depth) + 1))
         unit = Signal(config.units)
         put, word_done, unit_done, all_done = Signal(), Signal(), Signal(), Signal()
         beats = Mux(to_requant, requant_beats, weight_beats)

@@ -82,7 +82,7 @@ class Sequencer(wiring.Component):
         config, shape = self._config, self.shape
         m = Module()
 
-        row, group, tile = Signal(16), Signal(14), Signal(12)
+        row, group, tile = Signal(16), Signal(15), Signal(12)
         kernel_row, block = Signal(range(TAPS)), Signal(14)
         flushing = self.flushing
         # Line-buffer words before this group, and weight words before this step.

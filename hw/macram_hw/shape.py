@@ -4,7 +4,7 @@ from amaranth.hdl import Module, Signal
 from amaranth.lib import data, wiring
 from amaranth.lib.wiring import In, Out
 
-from macram.spec import GROUP, TAPS, ArrayConfig, Error
+from macram.spec import GROUP, MAX_SIDE, TAPS, ArrayConfig, Error
 from macram.spec.registers import MODE_3X3
 
 __all__ = ["LayerShape", "ShapeDecoder"]
@@ -24,7 +24,7 @@ class LayerShape(data.StructLayout):
 
     def __init__(self):
         super().__init__({
-            "height": 16, "width": 16, "groups": 14, "tail": 2, "blocks": 14, "ingest_words": 14,
+            "height": 16, "width": 16, "groups": 15, "tail": 2, "blocks": 14, "ingest_words": 14,
             "tiles": 12, "output_words": 12, "beats_in": 16, "beats_out": 16,
         })  # fmt: skip
 
@@ -45,7 +45,7 @@ class ShapeDecoder(wiring.Component):
     def __init__(self, config: ArrayConfig):
         self._config = config
         super().__init__({
-            "height": In(16), "width": In(16), "c_in": In(16), "c_out": In(16), "mode": In(32),
+            **{name: In(32) for name in ("height", "width", "c_in", "c_out", "mode")},
             "shape": Out(LayerShape()),
             "error": Out(Error, init=Error.NONE),
         })  # fmt: skip
@@ -76,6 +76,8 @@ class ShapeDecoder(wiring.Component):
             self.width == 0,
             self.c_in == 0,
             self.c_out == 0,
+            self.height > MAX_SIDE,
+            self.width > MAX_SIDE,
             self.c_in > config.max_c_in,
             self.c_out > config.max_c_out,
             shape.tiles * shape.blocks > config.weight_depth // TAPS,

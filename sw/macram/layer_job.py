@@ -238,7 +238,7 @@ def estimate_table(estimate: CycleEstimate) -> dict[str, Any]:
         "mac_cycles": estimate.mac,
         "fill_cycles": estimate.fill,
         "input_stalls": 0,
-        "output_stalls": estimate.output_stall,
+        "output_stalls": estimate.stall,
         "drain_cycles": estimate.drain,
         "exact": estimate.exact,
         "limited_by": estimate.limited_by,

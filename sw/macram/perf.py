@@ -1,4 +1,4 @@
-"""Closed-form cycles of a layer on an array, cause by cause; simulation must give exactly these.
+"""Closed-form cycles of a layer on an array; a simulation with undisturbed streams must give exactly these.
 
 Cycles are counted from the first accepted input beat to the last output beat, both included, when neither
 the source nor the sink ever makes the array wait.
@@ -25,26 +25,27 @@ class CycleEstimate:
     Attributes:
         fill: before the first compute step: pixels for one row and one group more must arrive.
         mac: compute steps, ``height * groups * tiles * 3 * blocks``.
-        output_stall: compute waits for the drain, if a (group, tile) has fewer steps than drain cycles.
+        stall: between compute steps. If a sum has fewer steps than it takes to drain, the drain is waited for; if
+            a stream is the limit, that stream. The array books a wait under the first cause it meets, so only the
+            sum of INPUT_STALLS and OUTPUT_STALLS is foretold.
         drain: after the last compute step.
-        limited_by: ``"compute"``, or ``"input"``/``"output"`` if a stream is slower than the engines; then
-            the parts are a lower bound, not exact.
+        limited_by: ``"compute"``, or ``"input"``/``"output"`` if a stream is slower than the engines.
     """
 
     fill: int
     mac: int
-    output_stall: int
+    stall: int
     drain: int
     limited_by: str
 
     @property
     def total(self) -> int:
         """All cycles, fill and drain included."""
-        return self.fill + self.mac + self.output_stall + self.drain
+        return self.fill + self.mac + self.stall + self.drain
 
     @property
     def exact(self) -> bool:
-        """Whether a simulation without stalls must take exactly `total` cycles."""
+        """Whether an undisturbed run takes exactly `total` cycles; where a stream is the limit, it is near."""
         return self.limited_by == "compute"
 
 
@@ -58,31 +59,42 @@ def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
     groups, tiles = array.groups(layer.width), array.tiles(layer.c_out)
     steps = TAPS * array.blocks(layer.c_in)
     tail = layer.width % GROUP
+    pixels = layer.height * layer.width
+    pixel_in, pixel_out = pixel_in_cycles(layer, array), pixel_out_cycles(layer, array)
 
-    pixel_in = pixel_in_cycles(layer, array)
     rows_needed = min(layer.height, 2)
     pixels_needed = (rows_needed - 1) * layer.width + min(GROUP, layer.width)
-    whole_image = pixels_needed == layer.height * layer.width
-    fill = pixel_in * pixels_needed + WRITTEN_TO_DECISION - whole_image
+    fill = pixel_in * pixels_needed + WRITTEN_TO_DECISION - (pixels_needed == pixels)
 
     to_result = DECISION_TO_RESULT + array.engine_latency
     drain_period = max(array.drain_cycles, to_result + 1)
     period = max(steps, drain_period)
-    results = layer.height * groups * tiles
-    mac = results * steps
-    output_stall = (results - 1) * (period - steps)
+    sums = layer.height * groups * tiles
+    mac = sums * steps
+    stall = (sums - 1) * (period - steps)
 
-    pixel_out = pixel_out_cycles(layer, array)
-    flush = 0 if tail else tiles * drain_period
-    last_pixels = tail + (groups > 1) if tail else 1
-    skipped_slot = int(groups == 1 and tail != 0)
-    drain = flush + to_result + array.drain_cycles + RESULT_TO_OUTPUT + skipped_slot + last_pixels * pixel_out
+    to_output = to_result + array.drain_cycles + RESULT_TO_OUTPUT
+    if tail:
+        # The last group's reading: the first of its slots is skipped if the row has no group before it.
+        drain = to_output + (groups == 1) + (tail + (groups > 1)) * pixel_out
+    else:
+        # One pixel is flushed, behind the last group's reading if that takes longer than the flush.
+        flush = tiles * drain_period
+        single = layer.height == 1 and groups == 1
+        before = (GROUP - single) * pixel_out + single
+        drain = max(flush, before) + to_output + pixel_out
+
+    limits = {
+        "compute": fill + mac + stall + drain,
+        "input": pixel_in * pixels + (1 if layer.height == 1 else groups + 1) * tiles * period + drain,
+        "output": fill + (tiles - 1) * period + steps + to_output + pixels * pixel_out,
+    }
+    slowest = max(pixel_in, pixel_out)
     limited_by = "compute"
-    if GROUP * pixel_in > tiles * period:
-        limited_by = "input"
-    elif GROUP * pixel_out > tiles * period:
-        limited_by = "output"
-    return CycleEstimate(fill, mac, output_stall, drain, limited_by)
+    if GROUP * slowest > tiles * period:
+        limited_by = "input" if pixel_in == slowest else "output"
+    total = max(limits["compute"], limits[limited_by])
+    return CycleEstimate(fill, mac, total - fill - mac - drain, drain, limited_by)
 
 
 def pixel_in_cycles(layer: ConvSpec, array: ArrayConfig) -> int:

@@ -24,13 +24,13 @@ def admitted(height, width, c_in, c_out):
 def test_hardware_and_spec_agree_on_every_shape():
     rng = random.Random(6)
     edges = {
-        "width": [0, 1, 3, 4, 5, 96, 97, 192, 193],
+        "width": [0, 1, 3, 4, 5, 96, 97, 192, 193, 65532, 65533, 65535, 65536, 0x10004, 0xFFFFFFFF],
         "c_in": [0, 1, 4, 63, 64, 65],
         "c_out": [0, 1, 95, 96, 97],
     }
     shapes = [
         (
-            rng.choice([0, 1, 7, 65535]),
+            rng.choice([0, 1, 7, 65535, 65536, 0x10007]),
             *(rng.choice([*values, rng.randrange(100)]) for values in edges.values()),
         )
         for _ in range(1500)

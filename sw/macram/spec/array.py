@@ -23,6 +23,8 @@ MULT_BITS, OFFSET_BITS, SHIFT_BITS = 18, 48, 6
 """Field widths of the multiplier-shift requantiser (5 to 8 output bits)."""
 MAX_THRESHOLD_BITS = 4
 """Up to this many output bits the requantiser compares with thresholds."""
+MAX_SIDE = 0xFFFF
+"""Largest height and width of an image."""
 ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4}
 """Row-engine kinds and their latencies in cycles. ``portable``: plain multipliers. ``dsp48e2``: twelve products in
 one DSP slice of UltraScale+, for weights and unsigned activations of up to 3 bits."""
@@ -214,8 +216,8 @@ class ArrayConfig:
             raise ValueError(f"c_in must be at most {self.max_c_in}, not {layer.c_in}")
         if layer.c_out > self.max_c_out:
             raise ValueError(f"c_out must be at most {self.max_c_out}, not {layer.c_out}")
-        if max(layer.height, layer.width) > 0xFFFF:
-            raise ValueError(f"height and width must be at most 65535, not {layer.height}x{layer.width}")
+        if max(layer.height, layer.width) > MAX_SIDE:
+            raise ValueError(f"height and width must be at most {MAX_SIDE}, not {layer.height}x{layer.width}")
         words = self.weight_words(layer)
         if words > self.weight_depth:
             raise ValueError(
