@@ -17,6 +17,9 @@ WAVES_ARG := $(if $(filter-out 0,$(WAVES)),--waves)
 IMAGE_ARG := $(if $(IMAGE),--image "$(IMAGE)")
 OUT_ARG := $(if $(OUT),--out "$(OUT)")
 
+# Simulator builds stay in the repository here; without make they go to the user's cache folder.
+export MACRAM_BUILD_DIR ?= $(CURDIR)/build
+
 .PHONY: help setup tools demo test test-fast sim rtl rtl-check lint lint-rtl bench clean
 
 help:  ## this list
@@ -34,7 +37,7 @@ $(STAMP): pyproject.toml
 		"$(PYTHON) has no venv module: apt-get install python3-venv" >&2; exit 1; }
 	@test -x $(BIN)/python || $(PYTHON) -m venv .venv
 	@echo "installing macram into .venv (PyTorch is the large part) ..."
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+	@$(BIN)/python -m pip install --progress-bar on --disable-pip-version-check -e '.[dev]'
 	@touch $@
 
 tools:

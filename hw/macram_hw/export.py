@@ -93,7 +93,7 @@ def export_verilog(config: ArrayConfig, directory: Path, *, mem_dir: Path | None
     Args:
         config: the array.
         directory: made if missing.
-        mem_dir: where the ``.mem`` files lie, listed in the manifest with their hashes.
+        mem_dir: where the array's ``.mem`` files lie, listed in the manifest with their hashes.
     """
     directory = Path(directory)
     texts = {
@@ -110,9 +110,10 @@ def export_verilog(config: ArrayConfig, directory: Path, *, mem_dir: Path | None
     texts["registers.md"] = register_table()
     hashes = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in sorted(texts.items())}
     if mem_dir is not None:
+        # By name: what else may lie in the folder is no part of this array.
+        names = ["requant.mem", *sorted(f"unit_{unit:03d}.mem" for unit in range(config.units))]
         hashes |= {
-            f"mem/{path.name}": hashlib.sha256(path.read_bytes()).hexdigest()
-            for path in sorted(Path(mem_dir).glob("*.mem"))
+            f"mem/{name}": hashlib.sha256((Path(mem_dir) / name).read_bytes()).hexdigest() for name in names
         }
     manifest = {
         "format": FORMAT,

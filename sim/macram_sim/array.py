@@ -84,7 +84,7 @@ def simulate(
         snoop: read random registers while the array runs.
         random_init: start all registers without a reset from random values.
         waves: write a waveform; ``WAVES`` of the environment wins.
-        job_dir: where inputs, outputs, log and waveform go; default a folder under ``build/sim/jobs`` that is
+        job_dir: where inputs, outputs, log and waveform go; default a folder under ``build_root() / "jobs"`` that is
             removed unless something fails or a waveform was wanted.
         timeout: seconds of simulation after which to give up.
 
@@ -150,7 +150,7 @@ def build_array(array: ArrayConfig, *, waves: bool | None = None) -> Build:
 
 
 def _export(array: ArrayConfig) -> tuple[Path, list[str], str]:
-    """The Verilog of ``array`` under ``build/sim/rtl``, exported once per geometry and generator source."""
+    """The Verilog of ``array`` under ``build_root() / "rtl"``, exported once per geometry and generator source."""
     geometry = {key: value for key, value in array.to_dict().items() if key != "name"}
     key = hashlib.sha256(json.dumps([geometry, _generator()], sort_keys=True).encode()).hexdigest()[:20]
     final = build_root() / "rtl" / key

@@ -46,7 +46,7 @@ class Progress:
             )
 
 
-async def snoop(transport: CocotbTransport, seed: int, counts: dict[str, int]) -> None:
+async def snoop(clock: Any, transport: CocotbTransport, seed: int, counts: dict[str, int]) -> None:
     """Read random registers at random moments, and check those whose value is known."""
     rng = random.Random(f"snoop {seed}")
     known = {name: BY_NAME[name].reset for name in ("ID", "VERSION")}
@@ -55,7 +55,7 @@ async def snoop(transport: CocotbTransport, seed: int, counts: dict[str, int]) -
         value = await transport.read(register.offset)
         assert value == known.get(register.name, value), f"{register.name} reads {value:#x} during a run"
         counts["register_reads"] += 1
-        await ClockCycles(cocotb.top.aclk, rng.randrange(1, 40))
+        await ClockCycles(clock, rng.randrange(1, 40))
 
 
 @cocotb.test()
@@ -76,7 +76,7 @@ async def run_job(dut: Any) -> None:
         await driver.load(packed)
     await driver.configure(packed.spec)
     counts = {"register_reads": 0}
-    snooper = cocotb.start_soon(snoop(transport, job["seed"], counts)) if job["snoop"] else None
+    snooper = cocotb.start_soon(snoop(dut.aclk, transport, job["seed"], counts)) if job["snoop"] else None
     results = [await driver.run(image) for _ in range(job["runs"])]
     if snooper is not None:
         snooper.cancel()

@@ -1,8 +1,8 @@
 """Building Verilated models, once per content.
 
-A finished build is one folder, ``build/sim/<toplevel>-<key>``, holding the executable and the build log. The
-key is the SHA-256 of everything that goes into it, so nothing is ever out of date and nothing needs cleaning
-to be right. ``MACRAM_BUILD_DIR`` moves the folder.
+A finished build is one folder, ``<toplevel>-<key>`` in `build_root`, holding the executable and the build log.
+The key is the SHA-256 of everything that goes into it, so nothing is ever out of date and nothing needs cleaning
+to be right.
 """
 
 from __future__ import annotations
@@ -118,8 +118,15 @@ class LeanVerilator(cocotb_runner.Verilator):
 
 
 def build_root() -> Path:
-    """``$MACRAM_BUILD_DIR/sim`` or ``build/sim`` under the current directory."""
-    return (Path(os.environ.get("MACRAM_BUILD_DIR") or "build") / "sim").resolve()
+    """``$MACRAM_BUILD_DIR/sim``, else ``macram/sim`` in ``$XDG_CACHE_HOME``, else in ``~/.cache``.
+
+    Not below the current directory: the same array would be built again in every folder somebody works in.
+    """
+    if chosen := os.environ.get("MACRAM_BUILD_DIR"):
+        return (Path(chosen) / "sim").resolve()
+    cache = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    # The XDG specification says that a relative path is to be ignored.
+    return (cache if cache.is_absolute() else Path.home() / ".cache") / "macram" / "sim"
 
 
 def waves_wanted(waves: bool | None = None) -> bool:

@@ -26,16 +26,23 @@ class AxiLiteManager:
     def __init__(self, dut: Any, prefix: str = "s_axi") -> None:
         self._edge = RisingEdge(dut.aclk)
         self._lock = Lock()
-        for name in (
-            "awaddr", "awprot", "awvalid", "awready", "wdata", "wstrb", "wvalid", "wready", "bresp", "bvalid",
-            "bready", "araddr", "arprot", "arvalid", "arready", "rdata", "rresp", "rvalid", "rready",
-        ):  # fmt: skip
+
+        def driven(name: str) -> Any:
             signal = getattr(dut, f"{prefix}_{name}")
-            setattr(self, f"_{name}", signal)
-            if name.endswith(("addr", "prot", "strb")) or name in (
-                "awvalid", "wdata", "wvalid", "bready", "arvalid", "rready",
-            ):  # fmt: skip
-                signal.value = 0
+            signal.value = 0
+            return signal
+
+        self._awaddr, self._awvalid = driven("awaddr"), driven("awvalid")
+        self._wdata, self._wstrb, self._wvalid = driven("wdata"), driven("wstrb"), driven("wvalid")
+        self._araddr, self._arvalid = driven("araddr"), driven("arvalid")
+        self._bready, self._rready = driven("bready"), driven("rready")
+        driven("awprot")
+        driven("arprot")
+        self._awready, self._wready, self._arready, self._bvalid, self._bresp, self._rvalid, self._rresp = (
+            getattr(dut, f"{prefix}_{name}")
+            for name in ("awready", "wready", "arready", "bvalid", "bresp", "rvalid", "rresp")
+        )
+        self._rdata = getattr(dut, f"{prefix}_rdata")
 
     async def write(self, offset: int, value: int) -> None:
         """Write all four bytes; `BusError` on any answer but OKAY, or none."""

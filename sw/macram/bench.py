@@ -11,8 +11,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from macram.layer_job import Stage, array_for
-from macram.report.latency import REFERENCE
+from macram.cpu_latency import measure_cpu
+from macram.layer_job import CLOCK_HZ, Stage, array_for
+from macram.report.latency import PAPER_TABLE_VI, REFERENCE
 from macram.report.versions import machine, versions
 
 BUILD_DIR_VARIABLE = "MACRAM_BUILD_DIR"
@@ -23,21 +24,17 @@ def measure(*, repeat: int, seed: int, stage: Stage) -> dict[str, Any]:
     """Measure on the reference layer with random codes.
 
     Args:
-        repeat: runs per measurement; the cold build is run once, it dwarfs its own spread.
+        repeat: runs per measurement, 1 or more; the cold build is run once, it dwarfs its own spread.
         seed: of the codes.
         stage: opens a named stage.
 
     Returns:
         ``measurements``: rows with ``name``, ``median_s``, ``runs_s`` and, where it says something, ``rate``;
-        ``machine``, ``versions``, ``seed``.
-
-    Raises:
-        ValueError: ``repeat`` is below 1.
+        ``table_vi``: the layer in the paper, on this processor, on the simulated array; ``machine``,
+        ``versions``, ``seed``.
     """
-    if repeat < 1:
-        raise ValueError(f"--repeat must be at least 1, not {repeat}")
     from macram import golden, pack  # noqa: PLC0415
-    from macram_sim.array import build_array, simulate  # type: ignore[import-untyped]  # noqa: PLC0415
+    from macram_sim.array import build_array, simulate  # noqa: PLC0415
 
     array = array_for(REFERENCE)
     with stage("random codes"):
@@ -63,12 +60,16 @@ def measure(*, repeat: int, seed: int, stage: Stage) -> dict[str, Any]:
         _row("simulation, whole layer", seconds)
         | {"cycles": cycles, "cycles_per_second": round(cycles / statistics.median(seconds))}
     )
-    if scale := _torch_runner():
-        with stage("PyTorch float32 convolution, for scale"):
-            rows.append(_row("PyTorch float32 convolution of the same shape", _timed(scale, repeat)))
+    with stage("the layer on this processor"):
+        cpu = measure_cpu(repeat)
     return {
-        "format": 1,
+        "format": 2,
         "measurements": rows,
+        "table_vi": {
+            "paper_ms": [{"device": name, "ms": ms} for name, ms in PAPER_TABLE_VI],
+            "this_cpu": cpu,
+            "array_simulated": {"cycles": cycles, "ms_at_100mhz": 1e3 * cycles / CLOCK_HZ},
+        },
         "seed": seed,
         "machine": machine(),
         "versions": versions(),
@@ -108,14 +109,3 @@ def _empty_build_folder() -> Iterator[None]:
                 del os.environ[BUILD_DIR_VARIABLE]
             else:
                 os.environ[BUILD_DIR_VARIABLE] = before
-
-
-def _torch_runner() -> Callable[[], object] | None:
-    """The same convolution in PyTorch float32 on this CPU, or None where PyTorch is not installed."""
-    try:
-        import torch  # noqa: PLC0415
-    except ModuleNotFoundError:
-        return None
-    image = torch.rand(1, REFERENCE.c_in, REFERENCE.height, REFERENCE.width)
-    kernel = torch.rand(REFERENCE.c_out, REFERENCE.c_in, REFERENCE.kernel, REFERENCE.kernel)
-    return lambda: torch.nn.functional.conv2d(image, kernel, padding=REFERENCE.padding)

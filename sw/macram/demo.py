@@ -82,10 +82,10 @@ def run_demo(
         ValueError: an unreadable image or checkpoint.
     """
     traffic = traffic or Traffic()
-    out.mkdir(parents=True, exist_ok=True)
     with stage("image through the network to the layer"):
         image, front = reference_front(image, checkpoint=checkpoint, seed=traffic.seed)
     case = front.case
+    out.mkdir(parents=True, exist_ok=True)
     case.save(out / "layer.npz")
     run = run_layer_job(case, array=array_for(case.spec), traffic=traffic, stage=stage)
     with stage("compare every code"):
@@ -119,6 +119,7 @@ def run_demo(
         "training_graph_differs": front.differing,
         "provenance": front.provenance,
         "stages": list(finished),
+        "stage_seconds": round(sum(stage["seconds"] for stage in finished), 3),
         "machine": machine(),
         "command": command,
     }

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import tempfile
-import zipfile
-import zlib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,16 +15,8 @@ ARRAYS = ("weights", "input", "scale", "offset")
 SCALARS = ("weight_bits", "input_bits", "output_bits", "stride", "padding")
 SWITCHES = ("input_signed", "output_signed")
 KEYS = ARRAYS + SCALARS + SWITCHES
-DAMAGE = (
-    ValueError,
-    TypeError,
-    AttributeError,
-    EOFError,
-    NotImplementedError,
-    zipfile.BadZipFile,
-    zlib.error,
-)
-"""What NumPy raises for a file that is no archive of plain arrays, or a broken one."""
+PLAIN = "save plain arrays with numpy.savez"
+"""The fix for every file that is not what it should be."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,8 +30,8 @@ class LayerCase:
         spec: shapes and formats.
         weights: integer codes ``[c_out, c_in, kernel, kernel]`` in ``spec.weight``, kept as int64.
         input: integer codes ``[c_in, height, width]`` in ``spec.input``, kept as int64.
-        scale: finite float ``[c_out]``, kept as float64; may be negative or zero.
-        offset: finite float ``[c_out]``, kept as float64.
+        scale: finite, of any floating-point type, ``[c_out]``, kept as float64; may be negative or zero.
+        offset: likewise.
 
     Raises:
         ValueError: an array has the wrong shape, is not of integers (or floats), or holds a value outside
@@ -150,17 +140,28 @@ class LayerCase:
 
 
 def _read(path: Path) -> dict[str, NDArray[np.generic]]:
+    """Every array of the file by its key; a `ValueError` of one line whatever the file holds."""
     try:
-        with np.load(path, allow_pickle=False) as archive:
-            if isinstance(archive, np.lib.npyio.NpzFile):
-                return {key: archive[key] for key in archive.files}
+        loaded = np.load(path, allow_pickle=False)
+        if isinstance(loaded, np.ndarray):
+            raise ValueError("one array, no archive")
+        with loaded as archive:
+            arrays = {key: archive[key] for key in archive.files}
     except FileNotFoundError as error:
         raise ValueError("no such file") from error
     except OSError as error:
-        raise ValueError(f"cannot be read, {error.strerror or error}") from error
-    except DAMAGE as error:
-        raise ValueError("is not an .npz file of plain arrays; save one with numpy.savez") from error
-    raise ValueError("is a single array; save an .npz with numpy.savez")
+        raise ValueError(f"cannot be read, {error.strerror or error}; {PLAIN}") from error
+    except MemoryError as error:
+        raise ValueError(f"claims arrays that do not fit into memory; {PLAIN}") from error
+    except Exception as error:
+        # Beneath are zipfile, four decompressors and NumPy's header parser, each with errors of its own, and
+        # nobody promises a closed list. Nothing but reading this file happens here.
+        raise ValueError(f"is not a whole .npz file of plain arrays; {PLAIN}") from error
+    for key, array in arrays.items():
+        # NumPy hands out a member that is no array as its raw bytes.
+        if not isinstance(array, np.ndarray):
+            raise ValueError(f"key {key!r} is not an array; {PLAIN}")
+    return arrays
 
 
 def _scalar(key: str, value: NDArray[np.generic]) -> int:
@@ -190,11 +191,13 @@ def _reals(key: str, value: object, channels: int) -> NDArray[np.float64]:
         raise ValueError(
             f"{key} must have the shape [{channels}], one per output channel, not {list(array.shape)}"
         )
-    if array.dtype not in (np.float64, np.float32):
-        raise ValueError(f"{key} must be float64, not {array.dtype}; convert it with astype")
-    bad = np.flatnonzero(~np.isfinite(array))
+    if array.dtype.kind != "f":
+        raise ValueError(f"{key} must hold floating-point numbers, not {array.dtype}; use astype(float)")
+    with np.errstate(over="ignore"):
+        kept = np.array(array, np.float64)
+    bad = np.flatnonzero(~np.isfinite(kept))
     if bad.size:
         raise ValueError(
-            f"{key} must be finite, not {array[bad[0]]} in channel {bad[0]}; mend the layer it came from"
+            f"{key} must be finite, not {kept[bad[0]]} in channel {bad[0]}; mend the layer it came from"
         )
-    return np.array(array, np.float64)
+    return kept

@@ -123,6 +123,9 @@ class LayerRun:
             "utilisation": spec.macs / (self.cycles * self.array.peak_macs),
             "ms_at_100mhz": 1e3 * self.cycles / CLOCK_HZ,
             "counters": dict(self.counters),
+            "cycle_shares": {name: self.counters[name] / self.cycles for name in COUNTERS},
+            "cycles_without_step": self.cycles - self.counters["mac_cycles"],
+            "cycles_beyond_estimate": self.cycles - self.estimate["total"],
             "cycles_without_cause": self.cycles_without_cause,
             "estimate": self.estimate,
             "layer": layer_table(spec),
@@ -180,8 +183,8 @@ def run_layer_job(
         ValueError: the array does not admit the layer.
     """
     from macram import golden, pack, perf  # noqa: PLC0415
-    from macram_sim.array import build_array, simulate  # type: ignore[import-untyped]  # noqa: PLC0415
-    from macram_sim.tools import find_toolchain  # type: ignore[import-untyped]  # noqa: PLC0415
+    from macram_sim.array import build_array, simulate  # noqa: PLC0415
+    from macram_sim.tools import find_toolchain  # noqa: PLC0415
 
     tools = find_toolchain()
     stage = stage or nullcontext

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Coroutine
+from dataclasses import dataclass
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
@@ -53,6 +54,14 @@ class Dma(Protocol):
         """Stream to memory."""
 
 
+@dataclass(eq=False)
+class _Lent:
+    """A buffer in use, and the channel that was told to move it."""
+
+    buffer: Any
+    channel: Channel | None = None
+
+
 class PynqTransport:
     """Registers and streams of the array on a board. Every method waits until it is done.
 
@@ -62,6 +71,10 @@ class PynqTransport:
         param_dma: DMA of ``s_axis_param``.
         allocate: ``pynq.allocate``.
         timeout: seconds a transfer may take.
+
+    A transfer that is given up still belongs to the DMA engine, and only a reset of the engine takes it away:
+    PYNQ's ``stop`` waits for the very transfer that hangs. So its buffer is kept until the channel is idle, and
+    nothing is ever written to memory that was handed back.
     """
 
     def __init__(
@@ -78,6 +91,7 @@ class PynqTransport:
         self._params = param_dma
         self._allocate = allocate
         self._timeout = timeout
+        self._lent: list[_Lent] = []
 
     async def read(self, offset: int) -> int:
         """Read the register at a byte offset."""
@@ -91,41 +105,68 @@ class PynqTransport:
         """Send beats ``[n, bytes]`` on the parameter stream.
 
         Raises:
-            StreamTimeout: the transfer took too long.
+            StreamTimeout: the transfer took too long, or an earlier one still holds the channel.
         """
-        buffer = self._filled(beats)
+        channel = self._params.sendchannel
+        self._check_free(channel, "parameter stream")
         try:
-            self._params.sendchannel.transfer(buffer)
-            self._finish(self._params.sendchannel, "parameter stream")
+            self._start(channel, self._filled(beats))
+            self._finish(channel, "parameter stream")
         finally:
-            buffer.freebuffer()
+            self._reclaim()
 
     async def run_stream(self, beats: Beats, beats_out: int) -> Beats:
         """Send an image and return the beats ``[beats_out, bytes]`` that come back.
 
         Raises:
-            StreamTimeout: a transfer took too long.
+            StreamTimeout: a transfer took too long, or an earlier one still holds a channel.
         """
+        sender, receiver = self._image.sendchannel, self._image.recvchannel
+        self._check_free(sender, "input stream")
+        self._check_free(receiver, "output stream")
         size = beats.shape[1]
-        received = self._allocate(shape=(beats_out * size,), dtype=np.uint8)
-        buffer = None
         try:
-            buffer = self._filled(beats)
+            received = self._borrow(beats_out * size)
+            image = self._filled(beats)
             # The receiver goes first: the array may answer before the whole image is sent.
-            self._image.recvchannel.transfer(received)
-            self._image.sendchannel.transfer(buffer)
-            self._finish(self._image.sendchannel, "input stream")
-            self._finish(self._image.recvchannel, "output stream")
-            return np.array(received, dtype=np.uint8).reshape(beats_out, size)
+            self._start(receiver, received)
+            self._start(sender, image)
+            self._finish(sender, "input stream")
+            self._finish(receiver, "output stream")
+            return np.array(received.buffer, dtype=np.uint8).reshape(beats_out, size)
         finally:
-            received.freebuffer()
-            if buffer is not None:
-                buffer.freebuffer()
+            self._reclaim()
 
-    def _filled(self, beats: Beats) -> Any:
-        buffer = self._allocate(shape=(beats.size,), dtype=np.uint8)
-        buffer[:] = beats.reshape(-1)
-        return buffer
+    def _borrow(self, size: int) -> _Lent:
+        lent = _Lent(self._allocate(shape=(size,), dtype=np.uint8))
+        self._lent.append(lent)
+        return lent
+
+    def _filled(self, beats: Beats) -> _Lent:
+        lent = self._borrow(beats.size)
+        lent.buffer[:] = beats.reshape(-1)
+        return lent
+
+    @staticmethod
+    def _start(channel: Channel, lent: _Lent) -> None:
+        lent.channel = channel  # first, so that a transfer which starts and then fails is not forgotten
+        channel.transfer(lent.buffer)
+
+    def _reclaim(self) -> None:
+        """Free every buffer that no channel can touch any more."""
+        busy = [lent for lent in self._lent if lent.channel is not None and not lent.channel.idle]
+        for lent in self._lent:
+            if lent not in busy:
+                lent.buffer.freebuffer()
+        self._lent = busy
+
+    def _check_free(self, channel: Channel, name: str) -> None:
+        """Refuse to start beside a transfer that was given up; its end would be taken for that of the next."""
+        self._reclaim()
+        if any(lent.channel is channel for lent in self._lent):
+            raise StreamTimeout(
+                f"the {name} still holds a transfer that was given up; load the overlay again"
+            )
 
     def _finish(self, channel: Channel, name: str) -> None:
         # PYNQ's own wait() never gives up, so it is entered once the channel is done: it then only checks for

@@ -60,6 +60,17 @@ def test_the_manifest_holds_the_hash_of_every_file(exported):
     assert {path.name for path in exported.sources} <= set(manifest["sha256"])
 
 
+def test_the_manifest_lists_the_memories_of_the_array_and_no_others(tmp_path):
+    memories = tmp_path / "mem"
+    memories.mkdir()
+    own = {"requant.mem", *(f"unit_{unit:03d}.mem" for unit in range(TINY.units))}
+    for name in (*own, "unit_008.mem", "stray.mem"):
+        (memories / name).write_text("0\n")
+    export_verilog(TINY, tmp_path, mem_dir=memories)
+    listed = json.loads((tmp_path / "manifest.json").read_text())["sha256"]
+    assert {name.removeprefix("mem/") for name in listed if name.startswith("mem/")} == own
+
+
 def test_edge_ports_have_the_usual_names(exported):
     top = (exported.directory / "macram_top.v").read_text()
     header = re.search(r"^module macram_top\((.*?)\);", top, re.S | re.M).group(1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import os
+import re
 import subprocess
 import sys
 import types
@@ -17,7 +18,7 @@ from macram.cli import main
 from macram.cli.rtl_verb import out_of_date
 from macram.cli.sim_verb import ODD_SHAPES
 from macram.golden import random_case, run_layer
-from macram.layer_file import LayerCase
+from macram.layer_file import KEYS, LayerCase
 from macram.layer_job import COUNTERS, array_for, estimate_table
 from macram.perf import estimate
 from macram.spec import ArrayConfig, ConvSpec, IntFormat
@@ -144,6 +145,20 @@ def test_bad_layers_end_in_one_line_and_leave_nothing(
     assert not simulator.calls
 
 
+@pytest.mark.parametrize("verb", ["layer", "pack", "rtl"])
+@pytest.mark.parametrize("array", [None, '[array]\nmax_c_in = 4\nname = "small"\n'])
+def test_an_array_that_refuses_a_layer_names_its_file(verb, array, simulator, layer_file, tmp_path, capsys):
+    keys = dict(np.load(layer_file))
+    np.savez(layer_file, **(keys if array else keys | {"padding": 0}))
+    out, config = tmp_path / "out", tmp_path / "array.toml"
+    config.write_text(array or "[array]\n")
+    option = "--config" if verb == "rtl" else "--array"
+    words = [verb, *(["--layer"] if verb == "rtl" else []), str(layer_file), "-o", str(out)]
+    assert main([*words, *([option, str(config)] if array else [])]) == 2
+    assert one_line_of(capsys).startswith(f"macram: error: {layer_file}: ")
+    assert not out.exists()
+
+
 def test_bad_paths_end_in_one_line(simulator, layer_file, tmp_path, capsys):
     assert main(["layer", str(tmp_path / "none.npz"), "-o", str(tmp_path)]) == 2
     assert "none.npz" in one_line_of(capsys)
@@ -151,8 +166,9 @@ def test_bad_paths_end_in_one_line(simulator, layer_file, tmp_path, capsys):
     assert "File exists" in one_line_of(capsys)
     assert main(["layer", str(layer_file), "-o", str(tmp_path), "--array", str(tmp_path / "a.toml")]) == 2
     assert "a.toml" in one_line_of(capsys)
-    assert main(["layer", str(layer_file), "-o", str(tmp_path), "--seed", "-1"]) == 2
+    assert main(["layer", str(layer_file), "-o", str(tmp_path / "none"), "--seed", "-1"]) == 2
     assert "--seed must be 0 or more, not -1" in one_line_of(capsys)
+    assert not (tmp_path / "none").exists()
 
 
 def test_array_file_is_used_and_must_admit_the_layer(simulator, layer_file, tmp_path, capsys):
@@ -214,6 +230,27 @@ def test_sim_runs_odd_shapes_and_the_reference_both_ways(small_reference, tmp_pa
     assert "7 runs, 0 failed, seed 4" in capsys.readouterr().out
 
 
+def test_the_table_of_sim_is_legible_in_a_pipe(small_reference, tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    assert main(["sim", "--random", "-o", str(tmp_path)]) == 0
+    rows = [line for line in capsys.readouterr().out.splitlines() if line.rstrip().endswith(" ok")]
+    assert len(rows) == len(ODD_SHAPES) + 2
+    assert [row.split("  ")[0].strip() for row in rows[-2:]] == [
+        "reference, random codes", "reference, gaps and stalls",
+    ]  # fmt: skip
+    assert "9->129 4x18" in rows[3]
+
+
+@pytest.mark.parametrize("verb", ["demo", "sim"])
+def test_a_refused_image_leaves_nothing(verb, simulator, tmp_path, capsys):
+    picture, out = tmp_path / "no.png", tmp_path / "out"
+    picture.write_text("no picture")
+    assert main([verb, "--image", str(picture), "-o", str(out)]) == 2
+    assert "no.png" in one_line_of(capsys)
+    assert not out.exists()
+    assert not simulator.calls
+
+
 @pytest.mark.parametrize(
     ("fault", "failed", "message"),
     [
@@ -246,15 +283,18 @@ def test_sim_holds_the_undisturbed_run_to_its_bound_and_to_the_closed_form(
 
 
 def test_bench_gives_medians_and_the_machine(small_reference, tmp_path, capsys):
+    folder = os.environ.get("MACRAM_BUILD_DIR")
     assert main(["bench", "-o", str(tmp_path), "--repeat", "2"]) == 0
     report = json.loads((tmp_path / "bench.json").read_text())
     rows = {row["name"]: row for row in report["measurements"]}
     assert rows["simulation, whole layer"]["median_s"] == 0.25
     assert len(rows["golden model, whole layer"]["runs_s"]) == 2
     assert report["machine"]["cores"] >= 1
-    assert "MACRAM_BUILD_DIR" not in os.environ
-    assert main(["bench", "-o", str(tmp_path), "--repeat", "0"]) == 2
+    assert os.environ.get("MACRAM_BUILD_DIR") == folder
+    capsys.readouterr()
+    assert main(["bench", "-o", str(tmp_path / "none"), "--repeat", "0"]) == 2
     assert "--repeat must be at least 1, not 0" in one_line_of(capsys)
+    assert not (tmp_path / "none").exists()
 
 
 # ---- the array of a layer ----------------------------------------------------------------------------
@@ -308,7 +348,10 @@ def test_rtl_check_names_missing_and_changed_files(tmp_path):
         (fresh / name).write_text(text)
     (old / "same.v").write_text("a")
     (old / "lib/other.v").write_text("B")
-    assert out_of_date(fresh, old) == ["gone.v: missing", "lib/other.v: differs"]
+    (old / "lib/stray.mem").write_text("0")
+    assert out_of_date(fresh, old) == [
+        "gone.v: missing", "lib/other.v: differs", "lib/stray.mem: does not belong here, remove it",
+    ]  # fmt: skip
     assert out_of_date(fresh, fresh) == []
 
 
@@ -337,6 +380,14 @@ def test_every_verb_explains_itself(verb, capsys):
         main([verb, "--help"])
     assert stop.value.code == 0
     assert f"macram {verb}" in capsys.readouterr().out
+
+
+def test_layer_help_lists_every_key_and_where_builds_are_kept(capsys):
+    with pytest.raises(SystemExit):
+        main(["layer", "--help"])
+    text = capsys.readouterr().out
+    assert {*KEYS, "MACRAM_BUILD_DIR", "XDG_CACHE_HOME"} <= set(re.findall(r"\w+", text))
+    assert "~/.cache/macram/sim" in text
 
 
 def test_version(capsys):

@@ -230,7 +230,6 @@ def test_errors_are_named(code):
     fake.hang = True
     with pytest.raises(ArrayError, match=code.name):
         run_sync(driver.run(case.input))
-    assert fake.buffers == 0
 
 
 def test_unknown_error_code():
@@ -249,6 +248,42 @@ def test_streams_that_hang_are_given_up():
         run_sync(driver.load(pack_layer(case, TINY)))
     run_sync(driver.configure(case.spec))
     with pytest.raises(StreamTimeout, match="input stream"):
+        run_sync(driver.run(case.input))
+
+
+def test_memory_that_a_dma_may_still_write_is_kept():
+    case = random_case(ConvSpec(2, 3, 2, 2), SEED)
+    fake = FakeArray(TINY)
+    driver = ArrayDriver(fake.transport(), TINY)
+    run_sync(driver.load(pack_layer(case, TINY)))
+    run_sync(driver.configure(case.spec))
+    fake.hang = True
+    with pytest.raises(StreamTimeout, match="input stream did not finish"):
+        run_sync(driver.run(case.input))
+    assert fake.buffers == 2, "both channels are still at it"
+    with pytest.raises(
+        StreamTimeout, match=r"input stream still holds a transfer .*; load the overlay again"
+    ):
+        run_sync(driver.run(case.input))
+    assert fake.buffers == 2
+    fake.hang = False
+    first = run_sync(driver.run(case.input)).codes
+    np.testing.assert_array_equal(first, golden.run_layer(case))
+    assert fake.buffers == 0, "freed once the channels are idle"
+
+
+def test_a_transfer_that_never_starts_keeps_nothing():
+    case = random_case(ConvSpec(2, 3, 2, 2), SEED)
+    fake = FakeArray(TINY)
+
+    def allocate(shape, dtype):
+        if fake.buffers:
+            raise MemoryError
+        return fake.allocate(shape, dtype)
+
+    driver = ArrayDriver(PynqTransport(fake, fake.image, fake.param, allocate), TINY)
+    run_sync(driver.configure(case.spec))
+    with pytest.raises(MemoryError):
         run_sync(driver.run(case.input))
     assert fake.buffers == 0
 

@@ -1,5 +1,9 @@
 from __future__ import annotations
 
+import io
+import os
+import zipfile
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -10,6 +14,7 @@ from macram.layer_file import LayerCase
 from macram.spec import ConvSpec, IntFormat
 
 ARRAYS = ("weights", "input", "scale", "offset")
+SEED = int(os.environ.get("SEED", "11"))
 
 
 def entries(**changes):
@@ -78,6 +83,15 @@ def test_switches_make_signed_formats(tmp_path):
     assert (str(spec.input), str(spec.output)) == ("s3", "s3")
 
 
+@pytest.mark.parametrize("dtype", [np.float16, np.float32, np.float64, np.longdouble])
+def test_any_floating_type_is_kept_as_float64(tmp_path, dtype):
+    values = np.array([0.5, -0.25, 0.1, 3], dtype)
+    np.savez(tmp_path / "a.npz", **entries(scale=values, offset=values))
+    case = LayerCase.load(tmp_path / "a.npz")
+    assert case.scale.dtype == case.offset.dtype == np.float64
+    assert np.array_equal(case.scale, values.astype(np.float64))
+
+
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
@@ -107,8 +121,10 @@ def test_switches_make_signed_formats(tmp_path):
         ({"scale": np.ones(3)}, r"scale must have the shape \[4\], one per output channel, not \[3\]"),
         ({"scale": np.array([1, np.nan, 1, 1])}, "scale must be finite, not nan in channel 1"),
         ({"offset": np.array([1, 1, 1, -np.inf])}, "offset must be finite, not -inf in channel 3"),
-        ({"offset": np.zeros(4, int)}, "offset must be float64, not int64"),
-        ({"scale": np.zeros(4, complex)}, "scale must be float64, not complex128"),
+        ({"offset": np.zeros(4, int)}, "offset must hold floating-point numbers, not int64; use astype"),
+        ({"scale": np.zeros(4, complex)}, "scale must hold floating-point numbers, not complex128"),
+        ({"scale": np.full(4, "1.0")}, "scale must hold floating-point numbers, not <U3"),
+        ({"scale": np.full(4, np.longdouble("1e400"))}, "scale must be finite, not inf in channel 0"),
         ({"weight_bits": 9}, r"weight_bits must be in 2\.\.8, not 9"),
         ({"input_bits": 1}, r"input_bits must be in 2\.\.8, not 1"),
         ({"output_bits": 3.0}, "output_bits must be one integer, not float64"),
@@ -149,6 +165,96 @@ def test_files_that_are_no_layers_are_refused(tmp_path):
             LayerCase.load(tmp_path / name)
         assert str(caught.value).startswith(str(tmp_path / name))
         assert "\n" not in str(caught.value)
+
+
+def npy(array):
+    stream = io.BytesIO()
+    np.save(stream, array)
+    return stream.getvalue()
+
+
+def archive(path, method=zipfile.ZIP_STORED, **members):
+    """A layer file whose members ``members`` replace by raw bytes."""
+    raw = {key: npy(np.asarray(value)) for key, value in entries().items()} | members
+    with zipfile.ZipFile(path, "w", method) as file:
+        for key, content in raw.items():
+            file.writestr(f"{key}.npy", content)
+
+
+def claims_too_much(path):
+    header = npy(np.zeros(4))[:128]
+    archive(path, scale=header.replace(b"(4,), }" + 14 * b" ", b"(100000000000000,), }"))
+    assert b"(100000000000000,)" in path.read_bytes()
+
+
+def damaged_lzma(path):
+    archive(path, zipfile.ZIP_LZMA, weights=npy(np.random.default_rng(1).bytes(4000)))
+    raw = bytearray(path.read_bytes())
+    raw[300:600] = b"\xff" * 300
+    path.write_bytes(raw)
+
+
+def encrypted(path):
+    archive(path)
+    raw = bytearray(path.read_bytes())
+    for mark, flags in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
+        at = -1
+        while (at := raw.find(mark, at + 1)) >= 0:
+            raw[at + flags] |= 1
+    path.write_bytes(raw)
+
+
+def unknown_compression(path):
+    archive(path)
+    raw = bytearray(path.read_bytes())
+    at = raw.find(b"PK\x01\x02")
+    raw[at + 10 : at + 12] = b"\x63\x00"
+    path.write_bytes(raw)
+
+
+def one_array(path):
+    path.write_bytes(npy(np.zeros(3)))
+
+
+@pytest.mark.parametrize(
+    ("spoil", "words"),
+    [
+        (claims_too_much, "claims arrays that do not fit into memory; save plain arrays with numpy.savez"),
+        (damaged_lzma, "is not a whole .npz file of plain arrays; save"),
+        (encrypted, "is not a whole .npz file of plain arrays; save"),
+        (unknown_compression, "is not a whole .npz file of plain arrays; save"),
+        (one_array, "is not a whole .npz file of plain arrays; save"),
+        (lambda path: archive(path, scale=b"not an array"), "key 'scale' is not an array; save"),
+        (lambda path: archive(path, scale=b""), "key 'scale' is not an array; save"),
+    ],
+)
+def test_hostile_files_are_refused_in_one_line(tmp_path, spoil, words):
+    path = tmp_path / "hostile.npz"
+    spoil(path)
+    with pytest.raises(ValueError, match=f": {words}") as caught:
+        LayerCase.load(path)
+    assert str(caught.value).startswith(f"{path}: ")
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "method", [zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED, zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA]
+)
+def test_any_damage_is_refused_or_harmless(tmp_path, method):
+    path, rng = tmp_path / "damaged.npz", np.random.default_rng(SEED)
+    archive(path, method)
+    whole, lines = path.read_bytes(), []
+    for _ in range(150):
+        raw = bytearray(whole)
+        for at in rng.integers(0, len(raw), rng.integers(1, 9)):
+            raw[at] = rng.integers(256)
+        path.write_bytes(raw)
+        try:
+            LayerCase.load(path)
+        except ValueError as error:
+            lines.append(str(error))
+    assert len(lines) > 20
+    assert not [line for line in lines if "\n" in line or not line.startswith(f"{path}: ")], SEED
 
 
 def test_save_into_nowhere_is_refused(tmp_path):

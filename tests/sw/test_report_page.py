@@ -15,6 +15,8 @@ from PIL import Image
 
 from macram import golden
 from macram.cli import main
+from macram.cli.console import open_console
+from macram.cli.stages import Stages
 from macram.golden import random_case, run_layer
 from macram.layer_job import COUNTERS
 from macram.report.page import cycle_rows, render
@@ -162,9 +164,45 @@ def test_latency_appears_for_the_layer_of_the_paper_alone(chain, photo, tmp_path
         assert text in page
 
 
+NUMBER = re.compile(r"\d+(?:,\d{3})*(?:\.\d+)?")
+
+
+def shown(value):
+    """The ways in which the page may print a number."""
+    yield from (f"{value:,}", f"{value:g}", f"{value:,.0f}", *(f"{value:.{digits}f}" for digits in (1, 2, 3)))
+    yield from (f"{100 * value:.{digits}f}" for digits in (0, 1, 2, 4))
+
+
+def numbers_of(table):
+    """Every number of a JSON value as the page may print it, those inside its texts and keys too."""
+    if isinstance(table, dict):
+        return set().union(*map(numbers_of, table.keys()), *map(numbers_of, table.values()))
+    if isinstance(table, list):
+        return set().union(*map(numbers_of, table))
+    if isinstance(table, str):
+        return set(NUMBER.findall(table))
+    return set() if table is None else set(shown(abs(table)))
+
+
+def test_every_number_on_the_page_is_in_the_json(chain, photo, tmp_path, monkeypatch):
+    from macram.report import latency  # noqa: PLC0415
+
+    monkeypatch.setattr(latency, "REFERENCE", SPEC)
+    assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 0
+    report = json.loads((tmp_path / "d/report.json").read_text())
+    assert report["cycles_without_step"] == report["cycles"] - report["counters"]["mac_cycles"]
+    known = numbers_of(report) | {"100", "32"}  # 100 MHz, 100 % in all, float32
+    page = " ".join(Page((tmp_path / "d/report.html").read_text()).text)
+    assert [number for number in NUMBER.findall(page) if number not in known] == []
+    assert len(NUMBER.findall(page)) > 100
+
+
 def test_cycle_rows_sum_to_the_total():
     counters = dict(zip(COUNTERS, (90, 4, 3, 2, 1), strict=True)) | {"cycles": 100}
-    report = {"cycles": 100, "counters": counters, "estimate": {"total": 97, "fill_cycles": 4}}
+    shares = {name: counters[name] / 100 for name in COUNTERS}
+    report = {
+        "cycles": 100, "counters": counters, "cycle_shares": shares, "estimate": {"total": 97, "fill_cycles": 4},
+    }  # fmt: skip
     rows = cycle_rows(report)
     assert {row["counter"] for row in rows} == set(COUNTERS)
     assert sum(row["cycles"] for row in rows) == 100
@@ -180,17 +218,32 @@ def test_a_missing_picture_is_an_error_not_a_gap(chain, photo, tmp_path):
 
 
 def test_stages_record_what_finished(capsys):
-    from rich.console import Console  # noqa: PLC0415
-
-    from macram.cli.stages import Stages  # noqa: PLC0415
-
-    stages = Stages(Console(force_terminal=False), 2)
+    stages = Stages(open_console(), 2)
     with stages("first"), nullcontext():
         pass
     with pytest.raises(ValueError, match="x"), stages("second"):
         raise ValueError("x")
     assert [row["name"] for row in stages.done] == ["first"]
-    assert capsys.readouterr().out.startswith("[1/2] first ..")
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "[1/2] first ..."
+    assert lines[1].startswith("[1/2] first ....")
+    assert lines[1].endswith(" s")
+    assert lines[2:] == ["[2/2] second ..."]
+
+
+def test_off_a_terminal_a_stage_says_so_when_it_begins(capsys):
+    stages = Stages(open_console())
+    with stages("slow"):
+        assert capsys.readouterr().out == "slow ...\n"
+    assert capsys.readouterr().out.startswith("slow ....")
+
+
+def test_the_stages_of_the_data_verbs_say_so_too(tmp_path, capsys):
+    words = ["--tier", "smoke", "--seqs", "1", "1", "1", "--frames", "2", "--size", "64", "--jobs", "1"]
+    assert main(["data", "render", "-o", str(tmp_path / "set"), *words]) == 0
+    assert capsys.readouterr().out.startswith("rendering 6 pictures into ")
+    assert main(["data", "verify", str(tmp_path / "set")]) == 0
+    assert capsys.readouterr().out.startswith("checking 6 frames of ")
 
 
 def test_golden_is_the_middle_of_the_comparison(chain, photo, tmp_path, monkeypatch):

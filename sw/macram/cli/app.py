@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import argparse
 import sys
+import textwrap
 import traceback
 from collections.abc import Callable, Sequence
 from importlib import import_module
 from pathlib import Path
 
 from macram import __version__
-from macram.cli import counts_verb, data_verb
-
-OK, FAILED, BAD_INPUT = 0, 1, 2
-"""Exit codes: all well; a check failed; bad input or a missing tool."""
+from macram.cli import counts_verb, data_verb, evaluate_verb, predict_verb, train_verb
+from macram.cli.status import BAD_INPUT, FAILED
 
 SEED = 2022
 """Default of every ``--seed``."""
@@ -43,6 +42,20 @@ examples:
   macram sim                                   full-size reference layer and odd shapes, a table at the end
 
 exit status: 0 all well, 1 a check failed, 2 bad input or a missing tool
+"""
+
+
+LAYER_EPILOG = """\
+keys of the layer file (numpy.savez):
+  weights                               int [Cout,Cin,3,3], signed codes of weight_bits
+  input                                 int [Cin,H,W], codes of input_bits
+  scale, offset                         floating-point [Cout]: code = clip(rint(scale * sum + offset))
+  weight_bits, input_bits, output_bits  2 to 8
+  stride, padding                       1 and 1 for the array
+  input_signed, output_signed           optional: 1 if these codes are signed; 0 when absent
+
+The array's simulator is built once per array and kept in ~/.cache/macram/sim ($XDG_CACHE_HOME is heeded),
+or in $MACRAM_BUILD_DIR/sim where that is set.
 """
 
 
@@ -81,6 +94,9 @@ def parser() -> argparse.ArgumentParser:
     _hardware(verb)
     data_verb.add_data(verb)
     counts_verb.add_parser(verb)
+    train_verb.add_train(verb)
+    evaluate_verb.add_evaluate(verb)
+    predict_verb.add_predict(verb)
     return top
 
 
@@ -108,6 +124,7 @@ def _layers(verb: Verb) -> None:
         "Writes output.npz (codes) and report.json. Without --array the reference geometry takes on the "
         "layer's code formats. `macram example` writes a layer file to start from.",
     )
+    _say_more(layer, LAYER_EPILOG)
     layer.add_argument("file", type=Path, metavar="FILE.npz")
     layer.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder for the results")
     layer.add_argument("--array", type=Path, metavar="CONFIG.toml", help="array to run on")
@@ -127,8 +144,7 @@ def _layers(verb: Verb) -> None:
         "example",
         "layer_verbs",
         "write a small random layer file for `macram layer`",
-        "Keys: weights int [Cout,Cin,3,3], input int [Cin,H,W], scale and offset float64 [Cout], and the "
-        "scalars weight_bits, input_bits, output_bits, stride, padding.",
+        "Its keys are listed by `macram layer --help`.",
     )
     example.add_argument("file", type=Path, metavar="FILE.npz")
     example.add_argument(
@@ -187,6 +203,13 @@ def _hardware(verb: Verb) -> None:
     bench.add_argument("--repeat", type=int, default=3, help="runs per measurement (default: 3)")
     _out(bench, "build/bench")
     bench.add_argument("--seed", type=int, default=SEED, help=f"default: {SEED}")
+
+
+def _say_more(sub: argparse.ArgumentParser, epilog: str) -> None:
+    """An epilog that keeps its lines; the description is then wrapped here, as argparse would."""
+    sub.description = textwrap.fill(sub.description or "", 100)
+    sub.epilog = epilog
+    sub.formatter_class = argparse.RawDescriptionHelpFormatter
 
 
 def _out(sub: argparse.ArgumentParser, folder: str) -> None:

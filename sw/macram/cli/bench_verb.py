@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
+from typing import Any
 
-from rich.console import Console
 from rich.table import Table
 
 from macram.bench import measure
+from macram.cli.console import open_console
 from macram.cli.stages import Stages
 from macram.report.files import write_json
 
@@ -16,8 +17,10 @@ def bench(arguments: argparse.Namespace) -> int:
     """Measure, print a table, write ``bench.json``."""
     if arguments.seed < 0:
         raise ValueError(f"--seed must be 0 or more, not {arguments.seed}")
+    if arguments.repeat < 1:
+        raise ValueError(f"--repeat must be at least 1, not {arguments.repeat}")
     arguments.out.mkdir(parents=True, exist_ok=True)
-    console = Console()
+    console = open_console()
     report = measure(repeat=arguments.repeat, seed=arguments.seed, stage=Stages(console))
     where = report["machine"]
     table = Table(title=f"reference layer on {where['cpu']}, {where['cores']} cores")
@@ -28,6 +31,23 @@ def bench(arguments: argparse.Namespace) -> int:
         runs = " ".join(f"{value:.3f}" for value in row["runs_s"])
         table.add_row(row["name"], f"{row['median_s']:.3f}", runs, rate)
     console.print(table)
+    console.print(_table_vi(report["table_vi"]))
     write_json(arguments.out / "bench.json", report)
     console.print(f"{arguments.out / 'bench.json'}", highlight=False, markup=False, soft_wrap=True)
     return 0
+
+
+def _table_vi(table: dict[str, Any]) -> Table:
+    """The paper's latencies, this processor's, and the simulated array's, in milliseconds."""
+    rows = Table(title="the same layer beside the paper's table VI")
+    for column in ("where", "threads", "ms"):
+        rows.add_column(column, justify="left" if column == "where" else "right")
+    for row in table["paper_ms"]:
+        rows.add_row(f"{row['device']}, as printed in the paper", "", f"{row['ms']:.2f}")
+    for row in table["this_cpu"]:
+        rows.add_row(f"this processor, {row['name']}", str(row["threads"]), f"{row['median_ms']:.2f}")
+    array = table["array_simulated"]
+    rows.add_row(
+        f"the array, {array['cycles']:,} simulated cycles at 100 MHz", "", f"{array['ms_at_100mhz']:.2f}"
+    )
+    return rows

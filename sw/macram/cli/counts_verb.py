@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from rich.console import Console
-from rich.table import Table
+if TYPE_CHECKING:
+    from rich.table import Table
 
 
 def add_parser(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
@@ -28,7 +28,9 @@ def add_parser(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) ->
 
 def counts(arguments: argparse.Namespace) -> int:
     """Print the tables, or one JSON object."""
-    from macram.model.counts import count_network  # noqa: PLC0415  (parsing the command line needs no torch)
+    # Late: the grammar above is loaded by every command, PyTorch and Rich are not.
+    from macram.cli.console import open_console  # noqa: PLC0415
+    from macram.model.counts import count_network  # noqa: PLC0415
     from macram.model.sizes import spacenet_config  # noqa: PLC0415
 
     config = spacenet_config(arguments.size, arguments.variant, dataset=arguments.dataset)
@@ -37,7 +39,7 @@ def counts(arguments: argparse.Namespace) -> int:
         network = {"size": arguments.size, "variant": arguments.variant, "dataset": arguments.dataset}
         print(json.dumps({"network": network, "image_size": config.image_size, **result.to_dict()}, indent=2))
         return 0
-    console = Console()
+    console = open_console()
     side = config.image_size
     console.print(f"{arguments.size}, {arguments.variant}, {side} x {side}", highlight=False)
     console.print(_operations(result.operations))
@@ -46,6 +48,8 @@ def counts(arguments: argparse.Namespace) -> int:
 
 
 def _operations(rows: tuple[dict[str, Any], ...]) -> Table:
+    from rich.table import Table  # noqa: PLC0415
+
     table = Table(title="Table IV: operations", title_justify="left")
     for column in ("Mode", "GOPs + GFLOPs", "Perc. (%)", "quantised MACs", "float MACs"):
         table.add_column(column, justify="left" if column == "Mode" else "right")
@@ -61,6 +65,8 @@ def _operations(rows: tuple[dict[str, Any], ...]) -> Table:
 
 
 def _storage(rows: tuple[dict[str, Any], ...]) -> Table:
+    from rich.table import Table  # noqa: PLC0415
+
     table = Table(title="Table V: storage (M and MB are 2^20)", title_justify="left")
     for column in ("Format", "#Para.", "Model Size", "Saving (%)", "parameters", "bytes"):
         table.add_column(column, justify="left" if column == "Format" else "right")

@@ -75,10 +75,10 @@ def add_data(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> N
 def data(arguments: argparse.Namespace) -> int:
     """Run one action."""
     # Late: the grammar above is loaded by every command, OpenCV and the renderer are not.
-    from rich.console import Console  # noqa: PLC0415
+    from macram.cli.console import open_console  # noqa: PLC0415
 
     action: Callable[[argparse.Namespace, Console], int] = ACTIONS[arguments.action]
-    return action(arguments, Console())
+    return action(arguments, open_console())
 
 
 def _render(arguments: argparse.Namespace, console: Console) -> int:
@@ -89,6 +89,7 @@ def _render(arguments: argparse.Namespace, console: Console) -> int:
     spec = spec_of(arguments)
     jobs = arguments.jobs or os.cpu_count() or 1
     start, before = time.perf_counter(), None
+    _announce(console, f"rendering {spec.total} pictures into {arguments.out}")
     with _bar(console, "img/s") as bar:
         task = bar.add_task("rendering", total=spec.total, rate=0.0)
         told = 0
@@ -213,6 +214,7 @@ def _verify(arguments: argparse.Namespace, console: Console) -> int:
     total = sum(len(dataset.frames(split)) for split in dataset.splits)
     problems: list[str] = []
     start = time.perf_counter()
+    _announce(console, f"checking {total} frames of {arguments.root}")
     with _bar(console, "img/s") as bar:
         task = bar.add_task("checking", total=total, rate=0.0)
         for number, problem in enumerate(check_all(dataset), 1):
@@ -228,6 +230,12 @@ def _verify(arguments: argparse.Namespace, console: Console) -> int:
         f"{arguments.root}: {total} frames, {verdict}", highlight=False, markup=False, soft_wrap=True
     )
     return 1 if problems else 0
+
+
+def _announce(console: Console, work: str) -> None:
+    """Where there is no bar, say what takes its time before it does."""
+    if not console.is_terminal:
+        console.print(f"{work} ...", highlight=False, markup=False, soft_wrap=True)
 
 
 def _bar(console: Console, unit: str) -> Progress:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import argparse
 import shlex
 
-from rich.console import Console
-
+from macram.cli.console import open_console
 from macram.cli.stages import Stages
 from macram.cli.traffic import traffic
 from macram.demo import STAGES, run_demo
@@ -15,7 +14,7 @@ from macram.layer_job import run_summary
 
 def demo(arguments: argparse.Namespace) -> int:
     """Run the chain; 0 only if no code differs anywhere."""
-    console = Console()
+    console = open_console()
     stages = Stages(console, STAGES)
     run, report = run_demo(
         arguments.image,

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import argparse
+from typing import TYPE_CHECKING
 
-from rich.console import Console
-
+from macram.cli.console import open_console
 from macram.cli.stages import Stages
 from macram.cli.traffic import traffic
 from macram.layer_job import array_for, run_layer_job, run_summary, write_run
 from macram.spec import ArrayConfig, ConvSpec, IntFormat
 
+if TYPE_CHECKING:
+    from macram.layer_file import LayerCase
+
 
 def layer(arguments: argparse.Namespace) -> int:
     """Run a layer file; 0 only if no code differs."""
-    from macram.layer_file import LayerCase  # noqa: PLC0415
-
-    case = LayerCase.load(arguments.file)
-    array = _array(arguments, case.spec)
+    case, array = _case(arguments)
+    streams = traffic(arguments)
     _folder(arguments)
-    console = Console()
-    run = run_layer_job(case, array=array, traffic=traffic(arguments), stage=Stages(console))
+    console = open_console()
+    run = run_layer_job(case, array=array, traffic=streams, stage=Stages(console))
     write_run(run, arguments.out)
     console.print(run_summary(run), highlight=False, markup=False, soft_wrap=True)
     console.print(
@@ -35,11 +36,9 @@ def layer(arguments: argparse.Namespace) -> int:
 
 def pack(arguments: argparse.Namespace) -> int:
     """Write the BRAM images of a layer file."""
-    from macram.layer_file import LayerCase  # noqa: PLC0415
     from macram.pack import pack_layer  # noqa: PLC0415
 
-    case = LayerCase.load(arguments.file)
-    array = _array(arguments, case.spec)
+    case, array = _case(arguments)
     packed = pack_layer(case, array)
     _folder(arguments)
     packed.write(arguments.out)
@@ -73,13 +72,19 @@ def example(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _array(arguments: argparse.Namespace, spec: ConvSpec) -> ArrayConfig:
-    """The array named on the command line, else the reference geometry in the layer's formats."""
-    if arguments.array is None:
-        return array_for(spec)
-    array = ArrayConfig.from_toml(arguments.array)
-    array.check_admits(spec)
-    return array
+def _case(arguments: argparse.Namespace) -> tuple[LayerCase, ArrayConfig]:
+    """The layer, and the array named on the command line, else the reference geometry in the layer's formats."""
+    from macram.layer_file import LayerCase  # noqa: PLC0415
+
+    case = LayerCase.load(arguments.file)
+    given = None if arguments.array is None else ArrayConfig.from_toml(arguments.array)
+    try:
+        if given is None:
+            return case, array_for(case.spec)
+        given.check_admits(case.spec)
+    except ValueError as error:
+        raise ValueError(f"{arguments.file}: {error}") from error
+    return case, given
 
 
 def _folder(arguments: argparse.Namespace) -> None:

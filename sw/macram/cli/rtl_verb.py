@@ -42,30 +42,37 @@ def _export(config: ArrayConfig, layer: Path | None, folder: Path) -> list[Path]
     from macram.golden import selftest_case  # noqa: PLC0415
     from macram.layer_file import LayerCase  # noqa: PLC0415
     from macram.pack import pack_layer  # noqa: PLC0415
-    from macram_hw.export import export_verilog  # type: ignore[import-untyped]  # noqa: PLC0415
+    from macram_hw.export import export_verilog  # noqa: PLC0415
 
     case = selftest_case(config) if layer is None else LayerCase.load(layer)
+    try:
+        packed = pack_layer(case, config)
+    except ValueError as error:
+        raise ValueError(f"{layer}: {error}" if layer else str(error)) from error
     mem_dir = folder / "mem"
-    pack_layer(case, config).write(mem_dir)
+    packed.write(mem_dir)
     return list(export_verilog(config, folder, mem_dir=mem_dir).sources)
 
 
 def out_of_date(fresh: Path, folder: Path) -> list[str]:
-    """A line for each file of ``fresh`` that ``folder`` lacks or holds with other bytes."""
+    """A line for each file of ``fresh`` that ``folder`` lacks or holds with other bytes, and for each beside."""
+    wanted, found = (
+        {path.relative_to(root) for path in root.rglob("*") if path.is_file()} for root in (fresh, folder)
+    )
     lines = []
-    for path in sorted(p for p in fresh.rglob("*") if p.is_file()):
-        relative = path.relative_to(fresh)
-        theirs = folder / relative
-        if not theirs.is_file():
-            lines.append(f"{relative}: missing")
-        elif theirs.read_bytes() != path.read_bytes():
-            lines.append(f"{relative}: differs")
+    for name in sorted(wanted | found):
+        if name not in found:
+            lines.append(f"{name}: missing")
+        elif name not in wanted:
+            lines.append(f"{name}: does not belong here, remove it")
+        elif (folder / name).read_bytes() != (fresh / name).read_bytes():
+            lines.append(f"{name}: differs")
     return lines
 
 
 def _lint(folder: Path, sources: list[Path]) -> bool:
     """Verilator's lint of an export, all warnings on; ``sources`` begin with the reasoned waivers."""
-    from macram_sim.tools import find_toolchain  # type: ignore[import-untyped]  # noqa: PLC0415
+    from macram_sim.tools import find_toolchain  # noqa: PLC0415
 
     tools = find_toolchain()
     done = subprocess.run(

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from rich.box import SIMPLE
-from rich.console import Console
 from rich.table import Table
 
+from macram.cli.console import open_console
 from macram.cli.stages import Stages
 from macram.layer_job import LayerRun, Traffic, array_for, layer_table, run_layer_job
 from macram.report.files import write_json
@@ -55,15 +55,15 @@ def sim(arguments: argparse.Namespace) -> int:
     """Run all of them, print the table, write ``sim.json``; 0 only if every row passed."""
     if arguments.seed < 0:
         raise ValueError(f"--seed must be 0 or more, not {arguments.seed}")
-    arguments.out.mkdir(parents=True, exist_ok=True)
-    console = Console()
+    console = open_console()
     stages = Stages(console)
     seed, waves = arguments.seed, arguments.waves
     quiet = Traffic(seed=seed, waves=waves)
     rough = Traffic(gaps="random", stalls="random", load="stream", seed=seed, waves=waves)
-    outcomes = [_odd(shape, rough, stages) for shape in ODD_SHAPES]
     with stages("the reference layer's codes"):
         source, reference = _reference(arguments)
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    outcomes = [_odd(shape, rough, stages) for shape in ODD_SHAPES]
     outcomes.append(_attempt(f"reference, {source}", reference, quiet, stages, bound=CYCLE_BOUND))
     outcomes.append(_attempt("reference, gaps and stalls", reference, rough, stages))
     console.print(table_of(outcomes))

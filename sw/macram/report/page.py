@@ -17,7 +17,6 @@ CAUSES = (
 
 def cycle_rows(report: dict[str, Any]) -> list[dict[str, Any]]:
     """One row per cause of a cycle: measured, estimated (None where the estimate has no such part), share."""
-    total = report["cycles"]
     return [
         {
             "counter": counter,
@@ -26,7 +25,7 @@ def cycle_rows(report: dict[str, Any]) -> list[dict[str, Any]]:
             "colour": colour,
             "cycles": report["counters"][counter],
             "estimate": report["estimate"].get(counter),
-            "share": report["counters"][counter] / total,
+            "share": report["cycle_shares"][counter],
         }
         for counter, name, meaning, colour in CAUSES
     ]
@@ -56,6 +55,5 @@ def render(report: dict[str, Any], pictures: dict[str, bytes]) -> str:
         r=report,
         causes=rows,
         idle=idle,
-        idle_total=sum(row["cycles"] for row in idle),
         picture=lambda name: "data:image/png;base64," + base64.b64encode(pictures[name]).decode(),
     )

@@ -244,15 +244,26 @@ class ArrayConfig:
         """Build from plain values.
 
         Raises:
-            ValueError: unknown key, or a format that is not ``u`` or ``s`` and a bit count.
+            ValueError: unknown key, or a value of the wrong kind; the line names the key and what it takes.
         """
-        known = {f.name for f in fields(cls)}
-        if unknown := sorted(set(table) - known):
+        if not isinstance(table, dict):
+            raise ValueError(f"array must be a table of fields, not {table!r}")
+        known = {f.name: str(f.type) for f in fields(cls)}
+        if unknown := sorted(set(table) - set(known)):
             raise ValueError(f"unknown key {unknown[0]!r}; known are {', '.join(sorted(known))}")
         values = dict(table)
-        for key in ("weight", "input", "output"):
-            if key in values:
-                values[key] = parse_format(values[key])
+        for key, value in table.items():
+            if known[key] == "IntFormat":
+                try:
+                    values[key] = parse_format(value)
+                except ValueError as error:
+                    raise ValueError(
+                        f"{key} must be 'u' or 's' and a bit count of 2 to 8, such as 'u3', not {value!r}"
+                    ) from error
+            elif known[key] == "int" and type(value) is not int:
+                raise ValueError(f"{key} must be a whole number, not {value!r}")
+            elif known[key] == "str" and not isinstance(value, str):
+                raise ValueError(f"{key} must be a text in quotes, not {value!r}")
         return cls(**values)
 
     @classmethod
@@ -263,11 +274,17 @@ class ArrayConfig:
             ValueError: naming the file and the fault.
         """
         try:
-            tables = tomllib.loads(Path(path).read_text())
+            tables = tomllib.loads(Path(path).read_text(encoding="utf-8"))
             if "array" not in tables:
                 raise ValueError("has no [array] table; put the fields under [array]")
             return cls.from_dict(tables["array"])
-        except (OSError, TypeError, ValueError) as error:
+        except OSError as error:
+            raise ValueError(f"{path}: cannot be read, {error.strerror}; name another file") from error
+        except UnicodeDecodeError as error:
+            raise ValueError(f"{path}: is not UTF-8 text; save it as such") from error
+        except tomllib.TOMLDecodeError as error:
+            raise ValueError(f"{path}: is not TOML: {error}") from error
+        except ValueError as error:
             raise ValueError(f"{path}: {error}") from error
 
 
@@ -277,6 +294,6 @@ def parse_format(text: str) -> IntFormat:
     Raises:
         ValueError: any other text.
     """
-    if not (isinstance(text, str) and text[:1] in ("u", "s") and text[1:].isdigit()):
+    if not (isinstance(text, str) and text[:1] in ("u", "s") and text[1:].isdecimal()):
         raise ValueError(f"a format is 'u' or 's' and a bit count, such as 'u3', not {text!r}")
     return IntFormat(int(text[1:]), signed=text[0] == "s")

@@ -1,0 +1,107 @@
+"""``macram evaluate``."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+
+from macram.cli.status import OK
+
+DETAIL = (
+    "Writes evaluation.json (every frame), evaluation.md, evaluation.png and samples.jpg. Pictures are brought to "
+    "the focal length of the training first."
+)
+
+
+def add_evaluate(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
+    """The grammar of ``macram evaluate``; ``verb`` makes a top-level verb."""
+    sub = verb("evaluate", "evaluate_verb", "score a trained network on a data set", DETAIL)
+    sub.add_argument("checkpoint", type=Path, metavar="MODEL.safetensors")
+    sub.add_argument("--data", type=Path, required=True, metavar="DIR", help="SwissCube, BOP or SPEED folder")
+    sub.add_argument("--split", help="default: testing, or the last one there is")
+    sub.add_argument("--limit", type=int, default=0, help="only so many frames, evenly spaced")
+    sub.add_argument(
+        "-o",
+        "--out",
+        type=Path,
+        default=Path("build/evaluation"),
+        metavar="DIR",
+        help="default: build/evaluation",
+    )
+    sub.add_argument("--integer", action="store_true", help="run the deployed integers (mode III, CPU)")
+    sub.add_argument("--device", choices=("auto", "cpu", "cuda"), default="auto", help="default: auto")
+    sub.add_argument("--no-refine", action="store_true", help="EPnP RANSAC alone, as published")
+    sub.add_argument("--published", action="store_true", help="candidates and solver as published")
+
+
+def evaluate(arguments: argparse.Namespace) -> int:
+    """Score one network."""
+    # Late: the grammar above is loaded by every command, PyTorch is not.
+    from rich.console import Console  # noqa: PLC0415
+
+    from macram.data.files import write_picture  # noqa: PLC0415
+    from macram.data.open import open_dataset  # noqa: PLC0415
+    from macram.pose import RansacSettings  # noqa: PLC0415
+    from macram.predict import Predictor, evaluate_frames  # noqa: PLC0415
+    from macram.report.evaluation import write_evaluation  # noqa: PLC0415
+    from macram.train.checkpoint import load_model  # noqa: PLC0415
+    from macram.train.distributed import join_processes  # noqa: PLC0415
+    from macram.train.pack import thinned  # noqa: PLC0415
+    from macram.train.samples import sample_sheet  # noqa: PLC0415
+
+    net, card = load_model(arguments.checkpoint)
+    settings = RansacSettings(refine=not (arguments.no_refine or arguments.published))
+    predictor = Predictor(
+        net,
+        card,
+        join_processes("cpu" if arguments.integer else arguments.device).device,
+        integer=arguments.integer,
+        settings=settings,
+        published=arguments.published,
+    )
+    dataset = open_dataset(arguments.data)
+    split = arguments.split or ("testing" if "testing" in dataset.splits else dataset.splits[-1])
+    frames = thinned(dataset.frames(split), arguments.limit)
+    console = Console()
+    with _progress(console, len(frames)) as told:
+        evaluation, found = evaluate_frames(predictor, frames, told)
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    details = {
+        "network": str(arguments.checkpoint),
+        "form": _form(card.mode, card.bits, integer=arguments.integer),
+        "data": f"{arguments.data}, {split}",
+        "solver": "EPnP RANSAC" + (" and Levenberg-Marquardt" if settings.refine else ""),
+    }
+    paths = write_evaluation(arguments.out, evaluation, title=f"Evaluation on {split}", details=details)
+    write_picture(arguments.out / "samples.jpg", sample_sheet(frames, found))
+    table = evaluation.summary["fixed"]["all"]
+    shares = ", ".join(f"ADD-{limit}d {table['add'][limit]:.2f} %" for limit in ("0.1", "0.2", "0.5"))
+    for line in (f"{table['frames']} frames, {table['misses']} without a pose: {shares}", str(paths[1])):
+        console.print(line, highlight=False, markup=False, soft_wrap=True)
+    return OK
+
+
+def _form(mode: str, bits: int, *, integer: bool) -> str:
+    if not mode:
+        return "float32"
+    return f"{bits} bit, mode {mode}, " + ("deployed integers" if integer else "training graph")
+
+
+class _progress:
+    """A bar of frames on a terminal, silence elsewhere."""
+
+    def __init__(self, console: object, total: int) -> None:
+        from rich.console import Console  # noqa: PLC0415
+        from rich.progress import Progress  # noqa: PLC0415
+
+        assert isinstance(console, Console)
+        self.bar = Progress(console=console, disable=not console.is_terminal)
+        self.task = self.bar.add_task("evaluating", total=total)
+
+    def __enter__(self) -> Callable[[int, int], None]:
+        self.bar.start()
+        return lambda done, total: self.bar.update(self.task, completed=done)
+
+    def __exit__(self, *error: object) -> None:
+        self.bar.stop()

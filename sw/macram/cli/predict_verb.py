@@ -1,0 +1,107 @@
+"""``macram predict``."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from macram.cli.status import OK
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+DETAIL = (
+    "Writes every picture with the object's box and axes, and poses.json (BOP names: cam_R_m2c row by row, "
+    "cam_t_m2c in mm; null where nothing was found). The focal length comes from --focal, else from a "
+    "scene_camera.json beside the picture's folder, else from the training if the picture has its size."
+)
+
+
+def add_predict(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
+    """The grammar of ``macram predict``; ``verb`` makes a top-level verb."""
+    sub = verb("predict", "predict_verb", "find the object's pose in pictures", DETAIL)
+    sub.add_argument("images", type=Path, nargs="+", metavar="IMAGE")
+    sub.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder for the results")
+    sub.add_argument("--weights", type=Path, required=True, metavar="FILE", help="model.safetensors of a run")
+    sub.add_argument("--focal", type=float, help="focal length of the pictures in pixels")
+    sub.add_argument("--integer", action="store_true", help="run the deployed integers (mode III, CPU)")
+    sub.add_argument("--device", choices=("auto", "cpu", "cuda"), default="auto", help="default: auto")
+
+
+def predict(arguments: argparse.Namespace) -> int:
+    """Find poses and draw them."""
+    # Late: the grammar above is loaded by every command, PyTorch is not.
+    import numpy as np  # noqa: PLC0415
+    from rich.console import Console  # noqa: PLC0415
+
+    from macram.data.files import read_picture, write_json, write_picture  # noqa: PLC0415
+    from macram.pose import draw_pose  # noqa: PLC0415
+    from macram.predict import Predictor  # noqa: PLC0415
+    from macram.train.distributed import join_processes  # noqa: PLC0415
+    from macram.train.samples import box_of  # noqa: PLC0415
+
+    names = _names(arguments.images)
+    device = join_processes("cpu" if arguments.integer else arguments.device).device
+    predictor = Predictor.load(arguments.weights, device, integer=arguments.integer)
+    card = predictor.card
+    # All pictures are read before the first result is written: a bad one leaves nothing behind.
+    pictures = []
+    for path in arguments.images:
+        image = read_picture(path, colour=True, size=None)
+        pictures.append((image, _camera(path, image, arguments.focal, card.focal, card.network.image_size)))
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    table, console = {}, Console()
+    corners = box_of(np.array(card.keypoints))
+    for name, path, (image, camera), found in zip(
+        names, arguments.images, pictures, predictor.detections(pictures), strict=True
+    ):
+        label = "no pose"
+        if found is not None:
+            image = draw_pose(image, found.pose, camera, corners, label=f"{found.score:.2f}")  # noqa: PLW2901
+            x, y, z = found.pose.t.ravel()
+            label = f"score {found.score:.2f}, at {x:.0f} {y:.0f} {z:.0f} mm, {found.inliers}/{found.pairs} inliers"
+        write_picture(arguments.out / f"{name}.png", image)
+        pose = None if found is None else found.to_dict()
+        table[name] = {"image": str(path), "cam_K": camera.ravel().tolist(), "pose": pose}
+        console.print(f"{path}: {label}", highlight=False, markup=False, soft_wrap=True)
+    about = {"weights": str(arguments.weights), "target": card.target, "mode": card.mode, "bits": card.bits}
+    write_json(arguments.out / "poses.json", {**about, "integer": arguments.integer, "poses": table})
+    return OK
+
+
+def _names(images: list[Path]) -> list[str]:
+    """A name per picture: its stem, numbered where stems meet."""
+    stems = [path.stem for path in images]
+    return [stem if stems.count(stem) == 1 else f"{n:04d}_{stem}" for n, stem in enumerate(stems)]
+
+
+def _camera(
+    path: Path, image: NDArray[np.uint8], focal: float | None, trained: float, size: int
+) -> NDArray[np.float64]:
+    """Intrinsics ``[3, 3]`` of a picture.
+
+    Raises:
+        ValueError: the focal length is unknown or not positive.
+    """
+    import numpy as np  # noqa: PLC0415
+
+    from macram.data.files import read_json  # noqa: PLC0415
+
+    height, width = image.shape[:2]
+    scene = path.resolve().parent.parent / "scene_camera.json"
+    if focal is None and scene.is_file() and path.stem.isdigit():
+        for key, entry in read_json(scene).items():
+            if key.isdigit() and int(key) == int(path.stem) and isinstance(entry, dict) and "cam_K" in entry:
+                return np.array(entry["cam_K"], np.float64).reshape(3, 3)
+    if focal is None:
+        if (width, height) != (size, size):
+            raise ValueError(
+                f"{path}: {width}x{height} pixels, trained on {size}x{size}; give the focal length with --focal"
+            )
+        focal = trained
+    if not focal > 0:
+        raise ValueError(f"--focal must be above 0, not {focal}")
+    return np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])

@@ -1,0 +1,400 @@
+"""One training run from configuration to checkpoint."""
+
+from __future__ import annotations
+
+import copy
+import math
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from rich.console import Console
+from torch import Tensor, nn
+
+from macram.data.files import write_picture
+from macram.data.open import open_dataset
+from macram.quant import calibrate_steps
+from macram.train.augment import NONE
+from macram.train.checkpoint import (
+    optimiser_tensors,
+    read_tensors,
+    restore_optimiser,
+    save_model,
+    write_tensors,
+)
+from macram.train.config import TrainConfig
+from macram.train.distributed import Processes, share_batch_norm
+from macram.train.logs import Bar, Log
+from macram.train.objective import Objective
+from macram.train.pack import pack_frames, thinned
+from macram.train.samples import sample_sheet
+from macram.train.schedule import crop_phase, learning_rate, progress
+from macram.train.stages import Stage, autocast_helps, exact_predictors
+from macram.train.views import VIEWS, draw_views, frame_order
+from macram.train.warp import Cells, Warper
+
+LAST, MODEL = "last.safetensors", "model.safetensors"
+FREE_TO_CHANGE = ("log", "run.out", "run.init", "data.cache", "schedule.max_minutes")
+"""What a resumed run may have otherwise: it does not touch the numbers."""
+
+
+class Run:
+    """A run in progress.
+
+    Args:
+        config: everything about it.
+        processes: this process among all.
+        console: for progress; None for silence.
+        resume: go on from the checkpoint in ``run.out``.
+
+    Raises:
+        ValueError: bad data or checkpoint; a checkpoint that would be overwritten, or none to resume.
+    """
+
+    def __init__(
+        self, config: TrainConfig, processes: Processes, console: Console | None, *, resume: bool = False
+    ) -> None:
+        self.config, self.processes = config, processes
+        self.console = console if processes.first else None
+        self.folder = Path(config.run.out)
+        found = (self.folder / LAST).is_file()
+        if resume and not found:
+            raise ValueError(f"{self.folder / LAST}: no checkpoint to resume from")
+        if found and not resume:
+            raise ValueError(
+                f"{self.folder / LAST}: there is a run already; add --resume or choose another run.out"
+            )
+        device = processes.device
+        self.step, self.visits, self.minutes = 0, 0, 0.0
+        self.frames = self._packed()
+        self.stage = Stage(config, self.frames)
+        self.augment = self.stage.augmentation()
+        if any(min(p.batch or config.schedule.batch for p in config.crops) < n for n in [processes.world]):
+            raise ValueError(f"every batch needs an image for each of the {processes.world} processes")
+        self.stage.module.to(device).to(memory_format=torch.channels_last)  # type: ignore[call-overload]
+        self.warper = Warper(self.frames, device, config.run.seed, counterfactual=self.stage.counterfactual)
+        self.cells: dict[tuple[int, int], Cells] = {}
+        if self.stage.card.mode and not resume:
+            calibrate_steps(self.stage.net, self._plain(config.quant.calibration))
+        keypoints = torch.tensor(self.stage.card.keypoints, device=device)
+        self.objective = Objective(config.loss, self.stage.card.diameter, keypoints)
+        processes.copy_first(self.stage.module)
+        if processes.world > 1:
+            share_batch_norm(self.stage.module)
+        named = [(n, p) for n, p in self.stage.module.named_parameters() if p.requires_grad]
+        self.names: dict[Tensor, str] = {p: n for n, p in named}
+        self.optimiser = _optimiser(config, [p for _, p in named])
+        self.average = copy.deepcopy(self.stage.net) if config.optimiser.average else None
+        if resume:
+            self._restore()
+        wanted = config.run.precision
+        helps = wanted == "bf16" or (wanted == "auto" and not self.stage.card.mode and autocast_helps(device))
+        self.autocast = torch.autocast(device.type, torch.bfloat16, enabled=helps)
+
+    def _packed(self) -> Any:
+        config, filled = self.config, self.config.run.stage == "counterfactual"
+        if not self.processes.first:
+            self.processes.wait()  # until the first has filled the cache
+        bar = Bar(self.console, 0, 0, "packing")
+        frames = pack_frames(config.data, config.data.train, filled=filled, told=bar.packing)
+        bar.close()
+        if self.processes.first:
+            self.processes.wait()
+        return frames
+
+    def _plain(self, count: int) -> Tensor:
+        """Whole frames as they are, normalised."""
+        chosen = np.linspace(0, len(self.frames) - 1, min(count, len(self.frames))).round().astype(np.int64)
+        batch, _ = self._batch(chosen, np.random.default_rng(0), self.frames.size, plain=True)
+        image: Tensor = batch.image
+        return image
+
+    def _batch(
+        self, chosen: Any, rng: np.random.Generator, size: tuple[int, int], *, plain: bool = False
+    ) -> tuple[Any, Cells]:
+        if size not in self.cells:
+            self.cells[size] = Cells(self.stage.net.config.levels, size, self.processes.device)
+        cells = self.cells[size]
+        settings = NONE if plain else self.augment
+        views = draw_views(
+            self.frames,
+            chosen,
+            rng,
+            replace(settings, centred=size != self.frames.size),
+            size=size,
+            anchors=self.stage.net.config.levels.anchors,
+            cells=len(cells),
+            noise_places=self.warper.noise_places(size),
+        )
+        part = views if plain else views.part(self.processes.rank, self.processes.world)
+        return self.warper.batch(part, cells, size), cells
+
+    def train(self) -> Path:
+        """Trains to the end, the time limit, or an interruption, and leaves a checkpoint.
+
+        Returns:
+            The network's file.
+
+        Raises:
+            RuntimeError: the loss is no number any more; the last checkpoint stays.
+            KeyboardInterrupt: interrupted; the checkpoint is written.
+        """
+        config, schedule, first = self.config, self.config.schedule, self.processes.first
+        if first:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        log = Log(self.folder, self.step) if first else None
+        bar = Bar(self.console, schedule.steps, self.step, config.run.stage)
+        clock = _Clock(self.minutes)
+        saved = scored = self.minutes
+        sums: dict[str, Tensor] = {}
+        since, counted, aside = time.monotonic(), 0, 0.0
+        with _stop_on_signal() as stop, exact_predictors(self.stage.net, self.processes.device):
+            self.stage.module.train()
+            while self.step < schedule.steps:
+                self.minutes = clock.minutes
+                if schedule.max_minutes or self.processes.world > 1:
+                    self.minutes = self.processes.from_first(self.minutes)
+                if schedule.max_minutes and self.minutes >= schedule.max_minutes:
+                    break
+                if self.processes.from_first(float(stop.is_set())):
+                    break
+                values, images = self._one_step()
+                for name, value in values.items():
+                    sums[name] = sums.get(name, torch.zeros_like(value)) + value
+                counted += images
+                if self.step % config.log.every and self.step < schedule.steps:
+                    continue
+                steps = (self.step - 1) % config.log.every + 1
+                means = {name: float(value) / steps for name, value in sums.items()}
+                means["loss"] = sum(means.get(n, 0.0) for n in self.loss_names)
+                now = time.monotonic()
+                rate = counted / max(now - since - aside, 1e-9)
+                if not math.isfinite(means["loss"]):
+                    raise RuntimeError(
+                        f"the loss is {means['loss']} at step {self.step}; lower optimiser.lr and --resume"
+                    )
+                left = self._seconds_left(clock.minutes)
+                bar.update(self.step, means["loss"], rate, left)
+                row = {
+                    "step": self.step,
+                    "visits": self.visits,
+                    "minutes": clock.minutes,
+                    "img_s": rate,
+                    **means,
+                }
+                sums, since, counted, aside = {}, now, 0, 0.0
+                every = config.log.evaluate_minutes
+                if first and every and clock.minutes - scored >= every:
+                    row |= self._score(log)
+                    scored = clock.minutes
+                if first and log is not None:
+                    log.line(row)
+                if first and clock.minutes - saved >= config.log.checkpoint_minutes:
+                    self.minutes = clock.minutes
+                    self.save()
+                    saved = clock.minutes
+                self.processes.wait()
+                since = time.monotonic()
+            self.minutes = clock.minutes
+            if first:
+                self.save()
+        if first and log is not None:
+            if config.data.validation and not stop.is_set():
+                log.line(
+                    {"step": self.step, "visits": self.visits, "minutes": clock.minutes} | self._score(log)
+                )
+            log.close()
+        bar.close()
+        self.processes.wait()
+        if stop.is_set():
+            raise KeyboardInterrupt
+        return self.folder / MODEL
+
+    def _one_step(self) -> tuple[dict[str, Tensor], int]:
+        config = self.config
+        done = progress(config.schedule, self.step, self.minutes)
+        phase = crop_phase(config, done)
+        images = phase.batch or config.schedule.batch
+        rng = np.random.default_rng([config.run.seed, VIEWS, self.step])
+        side = int(rng.choice(phase.sizes))
+        size = (side, side) if side else self.frames.size
+        chosen = frame_order(config.run.seed, len(self.frames), self.visits, images)
+        batch, cells = self._batch(chosen, rng, size)
+        rate = learning_rate(config.schedule, config.optimiser.lr, self.step, done)
+        for group in self.optimiser.param_groups:
+            group["lr"] = rate
+        with self.autocast:
+            losses = self.stage.losses(
+                self.objective, batch, cells, images, surface=done < config.surface_until
+            )
+        self.loss_names = tuple(losses)
+        self.optimiser.zero_grad(set_to_none=True)
+        torch.stack(list(losses.values())).sum().backward()  # type: ignore[no-untyped-call]
+        self.processes.sum_gradients(self.names)  # type: ignore[arg-type]
+        limit = config.optimiser.clip or math.inf
+        norm = nn.utils.clip_grad_norm_(self.names, limit)
+        self.optimiser.step()
+        self.step += 1
+        self.visits += images
+        self._update_average()
+        values = {name: value.detach() for name, value in losses.items()}
+        return values | {
+            "grad_norm": norm,
+            "lr": torch.tensor(rate),
+            "size": torch.tensor(float(size[0])),
+        }, images
+
+    def _update_average(self) -> None:
+        if self.average is None:
+            return
+        # Young averages forget faster, else the first random weights would stay for long.
+        weight = 1 - min(self.config.optimiser.average, (1 + self.step) / (10 + self.step))
+        mine = list(self.average.state_dict().values())
+        with torch.no_grad():
+            pairs = list(zip(mine, self.stage.net.state_dict().values(), strict=True))
+            floats = [(a, b) for a, b in pairs if a.is_floating_point()]
+            torch._foreach_lerp_([a for a, _ in floats], [b for _, b in floats], weight)
+            for a, b in pairs:
+                if not a.is_floating_point():
+                    a.copy_(b)
+
+    def _seconds_left(self, minutes: float) -> float:
+        done = max(self.step / self.config.schedule.steps, 1e-9)
+        left = minutes * (1 / done - 1)
+        if self.config.schedule.max_minutes:
+            left = min(left, self.config.schedule.max_minutes - minutes)
+        return 60 * left
+
+    @property
+    def result(self) -> Any:
+        """The network to evaluate and to ship: averaged, if the run averages."""
+        return self.stage.net if self.average is None else self.average
+
+    def save(self) -> None:
+        """Writes both files, each in one step."""
+        tensors = {f"net/{name}": value for name, value in self.stage.module.state_dict().items()}
+        if self.average is not None:
+            tensors |= {f"average/{name}": value for name, value in self.average.state_dict().items()}
+        remembered = optimiser_tensors(self.optimiser, self.names)
+        tensors |= {f"optimiser/{name}": value for name, value in remembered.items()}
+        about = {"step": self.step, "visits": self.visits, "minutes": self.minutes}
+        write_tensors(self.folder / LAST, tensors, {"state": about, "config": self.config.to_dict()})
+        record = {"config": self.config.to_dict(), "frames": len(self.frames), **about}
+        card = replace(self.stage.card, history=(*self.stage.card.history, record))
+        save_model(self.folder / MODEL, self.result, card)
+
+    def _restore(self) -> None:
+        path = self.folder / LAST
+        tensors, header = read_tensors(path)
+        mine, theirs = _flat(self.config.to_dict()), _flat(header["config"])
+        for key in sorted(mine.keys() | theirs.keys()):
+            free = any(key == name or key.startswith(f"{name}.") for name in FREE_TO_CHANGE)
+            if not free and mine.get(key) != theirs.get(key):
+                raise ValueError(
+                    f"{path}: was trained with {key} = {theirs.get(key)!r}, not {mine.get(key)!r}"
+                )
+        self.stage.module.load_state_dict(_under(tensors, "net/"))
+        if self.average is not None:
+            self.average.load_state_dict(_under(tensors, "average/"))
+        restore_optimiser(self.optimiser, self.names, _under(tensors, "optimiser/"))
+        state = header["state"]
+        self.step, self.visits, self.minutes = state["step"], state["visits"], state["minutes"]
+
+    def _score(self, log: Log | None) -> dict[str, float]:
+        """Accuracy on validation frames, and a sheet of pictures."""
+        from macram.predict import Predictor, evaluate_frames  # noqa: PLC0415
+
+        settings = self.config.data
+        if not settings.validation:
+            return {}
+        dataset = open_dataset(Path(settings.root), settings.shrink)
+        frames = thinned(dataset.frames(settings.validation), self.config.log.evaluate_frames)
+        self.result.eval()
+        predictor = Predictor(self.result, self.stage.card, self.processes.device)
+        evaluation, detections = evaluate_frames(predictor, frames)
+        self.stage.module.train()
+        sheet = sample_sheet(frames, detections)
+        (self.folder / "samples").mkdir(parents=True, exist_ok=True)
+        write_picture(self.folder / "samples" / f"{self.step:07d}.jpg", sheet)
+        if log is not None:
+            log.picture("samples", sheet, self.step)
+        table = evaluation.summary["fixed"]["all"]
+        scores = {f"add_{limit}": table["add"][limit] for limit in ("0.1", "0.2", "0.5")}
+        return {**scores, "misses": 100 * table["misses"] / table["frames"]}
+
+
+class _Clock:
+    """Minutes of this run, those before a resumption included."""
+
+    def __init__(self, minutes: float) -> None:
+        self.start = time.monotonic() - 60 * minutes
+
+    @property
+    def minutes(self) -> float:
+        return (time.monotonic() - self.start) / 60
+
+
+def _optimiser(config: TrainConfig, parameters: list[nn.Parameter]) -> torch.optim.Optimizer:
+    settings = config.optimiser
+    fused = parameters[0].is_cuda  # hundreds of small launches less
+    if settings.kind == "sgd":
+        return torch.optim.SGD(
+            parameters,
+            settings.lr,
+            momentum=settings.momentum,
+            weight_decay=settings.weight_decay,
+            nesterov=settings.momentum > 0,
+            fused=fused,
+        )
+    groups = [
+        {"params": [p for p in parameters if p.ndim > 1], "weight_decay": settings.weight_decay},
+        {"params": [p for p in parameters if p.ndim <= 1], "weight_decay": 0.0},
+    ]
+    return torch.optim.AdamW(groups, settings.lr, betas=(settings.momentum, 0.999), fused=fused)
+
+
+@contextmanager
+def _stop_on_signal() -> Iterator[threading.Event]:
+    """While open, the first SIGINT or SIGTERM asks to stop after the step; a second one acts as ever."""
+    stop = threading.Event()
+    if threading.current_thread() is not threading.main_thread():
+        yield stop
+        return
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+
+    def ask(number: int, frame: Any) -> None:
+        stop.set()
+        for n, handler in before.items():
+            signal.signal(n, handler)
+
+    for number in before:
+        signal.signal(number, ask)
+    try:
+        yield stop
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _under(tensors: dict[str, Tensor], prefix: str) -> dict[str, Tensor]:
+    return {name.removeprefix(prefix): value for name, value in tensors.items() if name.startswith(prefix)}
+
+
+def _flat(table: Any, prefix: str = "") -> dict[str, Any]:
+    """Nested tables as dotted keys; JSON and Python agree on the values."""
+    result: dict[str, Any] = {}
+    items = table.items() if isinstance(table, dict) else enumerate(table)
+    for key, value in items:
+        name = f"{prefix}{key}"
+        if isinstance(value, dict) or (isinstance(value, list | tuple) and value):
+            result |= _flat(value, f"{name}.")
+        else:
+            result[name] = list(value) if isinstance(value, tuple) else value
+    return result

@@ -1,0 +1,122 @@
+"""Targets and losses of a whole batch, in tensors of constant shape: a GPU never waits for the host."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import torch
+from torch import Tensor
+
+from macram.model import Prediction, TrainingOutput
+from macram.train.losses import LossWeights, focal_loss, object_space_loss, similarity_loss, surface_loss
+from macram.train.targets import BACKGROUND, IGNORED, POSITIVE, QUOTA, surface_targets
+from macram.train.warp import Batch, Cells
+
+SLOTS = QUOTA + 2
+"""Room for the positive cells of one picture: five rounded quotas of ten exceed it by two at most."""
+PER_IMAGES = 8
+"""Losses are sums over images, as published, for the published batch."""
+
+
+def assign(batch: Batch, cells: Cells) -> Tensor:
+    """Labels int8 ``[B, cells]``, drawn as `macram.train.targets.draw_labels` does, with the batch's keys."""
+    ranked = torch.where(batch.inside, batch.keys, 2.0)
+    positive = []
+    for level, key in enumerate(torch.split(ranked, cells.counts, dim=1)):
+        rank = key.argsort(dim=1, stable=True).argsort(dim=1, stable=True)
+        positive.append(rank < batch.quota[:, level, None])
+    drawn = torch.cat(positive, dim=1) & batch.inside
+    labels = torch.where(batch.inside, IGNORED, BACKGROUND).masked_fill(drawn, POSITIVE)
+    return labels.to(torch.int8)
+
+
+class Objective:
+    """The sum of the losses, ready for `backward`.
+
+    Args:
+        weights: factors.
+        diameter: of the object, mm.
+        keypoints: ``[K, 3]`` mm; their box is what the surface head is asked about.
+    """
+
+    def __init__(self, weights: LossWeights, diameter: float, keypoints: Tensor) -> None:
+        self.weights, self.diameter = weights, diameter
+        self.low, self.high = keypoints.float().amin(0), keypoints.float().amax(0)
+        # In normalised coordinates every camera is the identity; inverting each one would stop the GPU.
+        self.identity = torch.eye(3, device=keypoints.device)
+
+    def factual(
+        self, predictions: Sequence[Prediction], batch: Batch, cells: Cells, images: int, *, surface: bool
+    ) -> dict[str, Tensor]:
+        """Weighted losses of one set of predictions, by name.
+
+        Args:
+            predictions: of this process's part of the batch, P3 to P7.
+            batch: that part.
+            cells: of the views.
+            images: in the whole batch. The parts' losses add up to those of the whole.
+            surface: with the training-only head's.
+        """
+        labels = assign(batch, cells)
+        logits = torch.cat([p.logits.flatten(1) for p in predictions], dim=1)
+        slots, valid = positive_slots(labels)
+        pixels = self._pixels(predictions, slots, cells)
+        pixels = torch.where(valid[:, :, None, None], pixels, batch.pixels[:, None])
+        scale = PER_IMAGES / images
+        rays = normalised(pixels, batch.camera[:, None, None])
+        points = batch.points[:, None].expand(-1, SLOTS, -1, -1)
+        pose = object_space_loss(rays.flatten(0, 1), points.flatten(0, 1), self.identity, self.diameter)
+        losses = {
+            "class": self.weights.classes * scale * focal_loss(logits, labels),
+            "pose": self.weights.pose * scale * pose,
+        }
+        if surface:
+            outputs = [p.surface for p in predictions]
+            assert outputs[0] is not None
+            maps = torch.cat([o.flatten(2) for o in outputs if o is not None], dim=2)
+            chosen = maps.gather(2, slots[:, None].expand(-1, maps.shape[1], -1)).mT.flatten(0, 1)
+            faces, places = self._surface_targets(batch, slots, cells)
+            faces = torch.where(valid.flatten(), faces, -1)
+            losses["surface"] = self.weights.surface * scale * surface_loss(chosen, faces, places)
+        return losses
+
+    def three_paths(
+        self, output: TrainingOutput, batch: Batch, cells: Cells, images: int, *, surface: bool
+    ) -> dict[str, Tensor]:
+        """Losses of the counterfactual stage: of the picture, of the imitation, of the ideal path."""
+        losses = self.factual(output.predictions, batch, cells, images, surface=surface)
+        # A mean over images, unlike the others.
+        share = self.weights.similarity * len(batch.image) / images
+        losses["similarity"] = share * similarity_loss(output.pseudo, output.counterfactual)
+        if output.ideal is not None:
+            ideal = self.factual(output.ideal, batch, cells, images, surface=False)
+            losses["ideal"] = ideal["class"] + ideal["pose"]
+        return losses
+
+    @staticmethod
+    def _pixels(predictions: Sequence[Prediction], slots: Tensor, cells: Cells) -> Tensor:
+        """Predicted keypoints of the chosen cells, ``[B, slots, K, 2]``."""
+        maps = torch.cat([p.offsets.flatten(2) for p in predictions], dim=2)
+        chosen = maps.gather(2, slots[:, None].expand(-1, maps.shape[1], -1)).float()
+        pairs = chosen.reshape(len(slots), 2, -1, SLOTS).permute(0, 3, 2, 1)
+        pixels: Tensor = pairs * cells.anchors[slots][:, :, None, None] + cells.centres[slots][:, :, None]
+        return pixels
+
+    def _surface_targets(self, batch: Batch, slots: Tensor, cells: Cells) -> tuple[Tensor, Tensor]:
+        rays = normalised(cells.centres[slots], batch.camera[:, None]).flatten(0, 1)
+        rotation = batch.rotation[:, None].expand(-1, SLOTS, -1, -1).flatten(0, 1)
+        translation = batch.translation[:, None].expand(-1, SLOTS, -1).flatten(0, 1)
+        return surface_targets(rays, rotation, translation, self.identity, self.low, self.high)
+
+
+def positive_slots(labels: Tensor) -> tuple[Tensor, Tensor]:
+    """Indices int64 ``[B, SLOTS]`` of the positive cells first, and bool ``[B, SLOTS]``, which are positive."""
+    order = (labels == POSITIVE).to(torch.int8).sort(dim=1, descending=True, stable=True)
+    return order.indices[:, :SLOTS], order.values[:, :SLOTS] > 0
+
+
+def normalised(pixels: Tensor, camera: Tensor) -> Tensor:
+    """Pixels ``[..., 2]`` -> where their rays cross the plane at depth 1; cameras ``[..., 3, 3]`` broadcast."""
+    y = (pixels[..., 1] - camera[..., 1, 2]) / camera[..., 1, 1]
+    x = (pixels[..., 0] - camera[..., 0, 2] - camera[..., 0, 1] * y) / camera[..., 0, 0]
+    return torch.stack((x, y), dim=-1)

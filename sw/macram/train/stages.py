@@ -1,0 +1,154 @@
+"""The network of each stage, made or taken over from the stage before, and its losses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import torch
+from torch import Tensor, nn
+
+from macram.model import SpaceNet, ThreePaths
+from macram.quant import quantise
+from macram.train.augment import AugmentSettings
+from macram.train.checkpoint import Card, load_backbone, load_model, load_state
+from macram.train.config import TrainConfig
+from macram.train.objective import Objective
+from macram.train.pack import PackedFrames
+from macram.train.warp import Batch, Cells
+
+
+class Stage:
+    """What is trained in a stage.
+
+    Attributes:
+        net: the network that will be used.
+        module: what has the parameters: ``net``, or the three paths around it.
+        card: of ``net``, without this stage's history.
+
+    Args:
+        config: of the run.
+        frames: to learn from; their object and camera go onto the card.
+
+    Raises:
+        ValueError: the checkpoint to start from does not suit the stage or the data.
+    """
+
+    def __init__(self, config: TrainConfig, frames: PackedFrames) -> None:
+        self.config = config
+        generator = torch.Generator().manual_seed(config.run.seed)
+        model = frames.model
+        self.module: nn.Module
+        if config.run.init:
+            self._continue(Path(config.run.init), generator)
+        else:
+            self.net = self.module = SpaceNet(config.network.build(len(model.keypoints)), generator)
+            if config.run.backbone:
+                load_backbone(self.net, Path(config.run.backbone))
+            self.card = Card(self.net.config, (), 1.0, "", model.is_box, 1.0)
+        if self.net.config.keypoints != len(model.keypoints):
+            raise ValueError(
+                f"{config.data.root}: the object has {len(model.keypoints)} keypoints, "
+                f"the network {self.net.config.keypoints}"
+            )
+        self.card = replace(
+            self.card,
+            keypoints=tuple(tuple(map(float, point)) for point in model.keypoints),
+            diameter=model.diameter,
+            target=model.name,
+            is_box=model.is_box,
+            focal=float(frames.camera[:, 0, 0].mean()),
+        )
+        if config.run.freeze_backbone and config.run.stage != "counterfactual":
+            self.net.freeze_backbone()
+
+    def _continue(self, path: Path, generator: torch.Generator) -> None:
+        source, self.card = load_model(path)
+        stage, settings = self.config.run.stage, self.config.network
+        if self.card.mode:
+            raise ValueError(f"{path}: is quantised already; stage {stage!r} starts from a float network")
+        if stage == "lsq":
+            self.card = replace(self.card, mode=self.config.quant.mode, bits=self.config.quant.bits)
+            self.net = self.module = quantise(source, self.card.mode, self.card.precision)
+            return
+        if source.fpn_pseudo is not None:
+            raise ValueError(
+                f"{path}: has the pseudo path already; stage {stage!r} starts from a wdr network"
+            )
+        network = replace(settings.with_faults(source.config), surface=settings.surface)
+        if stage == "counterfactual":
+            network = replace(network, counterfactual=True, tde_factor=settings.tde_factor)
+            self.net = SpaceNet(network, generator)
+            self.module = ThreePaths(self.net, generator)
+            self.module.load_factual(source.state_dict())
+        else:
+            self.net = self.module = SpaceNet(network, generator)
+            load_state(self.net, source.state_dict(), path)
+
+    @property
+    def counterfactual(self) -> bool:
+        """Whether pictures without the target are needed."""
+        return isinstance(self.module, ThreePaths)
+
+    def augmentation(self) -> AugmentSettings:
+        """The run's, with the network's faults on the data side."""
+        settings, faults = self.config.augment, self.net.config.faults
+        if faults.refitted_poses:
+            settings = replace(settings, labels="reference")
+        if faults.misaligned_warp:
+            settings = replace(settings, draws="independent")
+        return settings
+
+    def losses(
+        self, objective: Objective, batch: Batch, cells: Cells, images: int, *, surface: bool
+    ) -> dict[str, Tensor]:
+        """Weighted losses by name; ``images`` are those of all processes together."""
+        surface = surface and self.net.head.surface is not None
+        if isinstance(self.module, ThreePaths):
+            assert batch.erased is not None
+            output = self.module(batch.image, batch.erased)
+            return objective.three_paths(output, batch, cells, images, surface=surface)
+        return objective.factual(self.module(batch.image), batch, cells, images, surface=surface)
+
+
+def autocast_helps(device: torch.device) -> bool:
+    """Whether the processor multiplies bfloat16 in hardware."""
+    if device.type == "cuda":
+        return bool(torch.cuda.is_bf16_supported(including_emulation=False))
+    try:
+        flags = Path("/proc/cpuinfo").read_text()
+    except OSError:
+        return False
+    return "avx512_bf16" in flags or "amx_bf16" in flags
+
+
+@contextmanager
+def exact_predictors(net: SpaceNet, device: torch.device) -> Iterator[None]:
+    """While open, the head's last convolutions run in float32 inside autocast.
+
+    Their outputs are pixels after a multiplication by up to 512: eight bits of mantissa are too few.
+    """
+    opened: list[torch.autocast] = []
+
+    def before(module: nn.Module, args: tuple[Any, ...]) -> tuple[Any, ...]:
+        opened.append(torch.autocast(device.type, enabled=False))
+        opened[-1].__enter__()  # type: ignore[no-untyped-call]
+        return (args[0].float(),)
+
+    def after(module: nn.Module, args: tuple[Any, ...], output: Tensor) -> None:
+        opened.pop().__exit__(None, None, None)
+
+    handles = []
+    for layer in (net.head.classes, net.head.pose, net.head.surface):
+        if layer is None:
+            continue
+        handles.append(layer.register_forward_pre_hook(before))
+        handles.append(layer.register_forward_hook(after, always_call=True))
+    try:
+        yield
+    finally:
+        for handle in handles:
+            handle.remove()

@@ -1,0 +1,199 @@
+"""Views as tensors: pictures warped, toned and normalised on the device where the network runs."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+from torch.nn import functional
+
+from macram.front.image import IMAGENET_MEAN, IMAGENET_STD
+from macram.model import Levels
+from macram.model.anchors import cell_centres, map_sizes
+from macram.pose.warp import BORDER, GROWTH
+from macram.train.pack import PackedFrames
+from macram.train.views import Views
+
+NOISE_BANK = 1 << 22
+NOISE_STRIDE = 64
+"""Noise of a view is cut out of one bank of normal numbers: drawing a new one would cost more than the warp."""
+RESIDENT_SHARE = 0.6
+"""Packed frames go to the GPU as a whole if they fill at most this share of its free memory."""
+
+
+class Cells:
+    """Cells of all levels in one row, P3 first.
+
+    Attributes:
+        counts: of each level.
+        centres: ``[cells, 2]`` pixels.
+        sampled: ``[cells, 2]``, centre of the pixel that decides whether a cell lies on the target.
+        anchors: ``[cells]`` pixels.
+    """
+
+    def __init__(self, levels: Levels, size: tuple[int, int], device: torch.device) -> None:
+        maps = map_sizes(*size, len(levels.strides))
+        self.counts = [rows * columns for rows, columns in maps]
+        centres = [
+            cell_centres(*m, stride).flatten(0, 1) for m, stride in zip(maps, levels.strides, strict=True)
+        ]
+        self.centres = torch.cat(centres).to(device)
+        last = torch.tensor([size[1] - 1, size[0] - 1], device=device)
+        self.sampled = torch.minimum(self.centres.floor(), last) + 0.5
+        anchors = [torch.full((n,), float(a)) for n, a in zip(self.counts, levels.anchors, strict=True)]
+        self.anchors = torch.cat(anchors).to(device)
+
+    def __len__(self) -> int:
+        return sum(self.counts)
+
+
+class Batch(NamedTuple):
+    """What a training step reads.
+
+    Attributes:
+        image: ``[B, 3, H, W]`` normalised.
+        erased: the same without the target; None where no path needs it.
+        inside: bool ``[B, cells]``, cells on the target.
+        keys: float32 ``[B, cells]``.
+        quota: int64 ``[B, levels]``.
+        camera: float32 ``[B, 3, 3]``.
+        rotation: float32 ``[B, 3, 3]``.
+        translation: float32 ``[B, 3]``.
+        points: float32 ``[B, K, 3]``.
+        pixels: float32 ``[B, K, 2]``.
+    """
+
+    image: Tensor
+    erased: Tensor | None
+    inside: Tensor
+    keys: Tensor
+    quota: Tensor
+    camera: Tensor
+    rotation: Tensor
+    translation: Tensor
+    points: Tensor
+    pixels: Tensor
+
+
+class Warper:
+    """Makes batches of views.
+
+    Args:
+        frames: packed; kept in GPU memory as a whole where they fit.
+        device: where to.
+        seed: of the noise bank.
+        counterfactual: make the pictures without the target too.
+    """
+
+    def __init__(
+        self, frames: PackedFrames, device: torch.device, seed: int, *, counterfactual: bool
+    ) -> None:
+        self.frames, self.device, self.counterfactual = frames, device, counterfactual
+        bank = torch.randn(NOISE_BANK, generator=torch.Generator().manual_seed(seed))
+        self.bank = bank.to(device)
+        self.resident = None
+        self.resident_filled = None
+        if device.type == "cuda":
+            filled = frames.filled if counterfactual else None
+            total = frames.pixels.nbytes + (0 if filled is None else filled.nbytes)
+            if total <= RESIDENT_SHARE * torch.cuda.mem_get_info(device)[0]:
+                self.resident = _moved(frames.pixels, device)
+                self.resident_filled = None if filled is None else _moved(filled, device)
+
+    @staticmethod
+    def noise_places(size: tuple[int, int]) -> int:
+        """In how many places the noise of a view of this size may start."""
+        return (NOISE_BANK - 3 * size[0] * size[1]) // NOISE_STRIDE + 1
+
+    def batch(self, views: Views, cells: Cells, size: tuple[int, int]) -> Batch:
+        """Pictures and targets of ``views`` of ``size`` (height, width)."""
+        source = self._read(self.frames.pixels, self.resident, views)
+        colour, mask = source[:, :3], source[:, 3:]
+        grid = self._grid(views.matrix, size)
+        apart = views.other is not views.matrix and not np.array_equal(views.other, views.matrix)
+        image = self._toned(_sampled(colour, grid), views)
+        erased = None
+        if self.counterfactual:
+            other = self._grid(views.other, size) if apart else grid
+            if self.frames.filled is not None:
+                erased = _sampled(self._read(self.frames.filled, self.resident_filled, views), other)
+                erased = self._toned(erased, views)
+            else:
+                erased = self._toned(_sampled(colour, other), views) if apart else image
+                grown = functional.max_pool2d(mask, 2 * GROWTH + 1, 1, GROWTH)
+                erased = erased * (functional.grid_sample(grown, other, "nearest", align_corners=False) < 0.5)
+        arrays = (views.camera, views.rotation, views.translation, views.points, views.pixels)
+        return Batch(
+            _normalised(image),
+            None if erased is None else _normalised(erased),
+            self._inside(mask, views, cells),
+            torch.from_numpy(views.keys).to(self.device, non_blocking=True),
+            torch.from_numpy(views.quota).to(self.device, non_blocking=True),
+            *(torch.from_numpy(a.astype(np.float32)).to(self.device, non_blocking=True) for a in arrays),
+        )
+
+    def _read(self, packed: NDArray[np.uint8], resident: Tensor | None, views: Views) -> Tensor:
+        """Float ``[B, channels, H, W]``, 0..255."""
+        if resident is not None:
+            rows = resident[torch.from_numpy(views.frame).to(self.device)]
+        else:
+            rows = torch.from_numpy(packed[views.frame]).to(self.device, non_blocking=True)
+        return rows.permute(0, 3, 1, 2).float().contiguous()
+
+    def _grid(self, matrix: NDArray[np.float64], size: tuple[int, int]) -> Tensor:
+        """Sampling grid ``[B, H, W, 2]``: pixel centres of the view, in the frame, -1..1 from edge to edge."""
+        height, width = self.frames.size
+        view = np.array([[size[1] / 2, 0, size[1] / 2], [0, size[0] / 2, size[0] / 2], [0, 0, 1]])
+        frame = np.array([[2 / width, 0, -1], [0, 2 / height, -1], [0, 0, 1]])
+        theta = (frame @ np.linalg.inv(matrix) @ view)[:, :2].astype(np.float32)
+        return functional.affine_grid(
+            torch.from_numpy(theta).to(self.device), [len(theta), 1, *size], align_corners=False
+        )
+
+    def _inside(self, mask: Tensor, views: Views, cells: Cells) -> Tensor:
+        height, width = self.frames.size
+        back = torch.from_numpy(np.linalg.inv(views.matrix).astype(np.float32)).to(self.device)
+        places = cells.sampled @ back[:, :2, :2].mT + back[:, None, :2, 2]
+        scale = torch.tensor([2 / width, 2 / height], device=self.device)
+        grid = (places * scale - 1)[:, None]
+        return functional.grid_sample(mask, grid, "nearest", align_corners=False)[:, 0, 0] > 127
+
+    def _toned(self, image: Tensor, views: Views) -> Tensor:
+        """Brightness and noise; rounded and clipped to what 8 bits hold."""
+        if (views.tone == (1.0, 1.0, 0.0)).all():
+            return image.round_()
+        gamma, gain, level = (
+            torch.from_numpy(views.tone.astype(np.float32)).to(self.device)[:, :, None, None, None].unbind(1)
+        )
+        # Interpolation may leave -1e-6, whose power is no number.
+        image = image.clamp_min_(0).div_(255).pow_(gamma).mul_(255 * gain)
+        if (views.tone[:, 2] > 0).any():
+            count = image[0].numel()
+            places = self.bank.unfold(0, count, NOISE_STRIDE)
+            noise = places[torch.from_numpy(views.noise).to(self.device)].reshape(image.shape)
+            image.addcmul_(noise, level.expand_as(image))
+        return image.round_().clamp_(0, 255)
+
+
+def _moved(array: NDArray[np.uint8], device: torch.device) -> Tensor:
+    """A memory map on the device, copied in pieces so that the host never holds it twice."""
+    result = torch.empty(array.shape, dtype=torch.uint8, device=device)
+    for start in range(0, len(array), 256):
+        result[start : start + 256] = torch.from_numpy(np.array(array[start : start + 256]))
+    return result
+
+
+def _sampled(image: Tensor, grid: Tensor) -> Tensor:
+    """Bilinear, with the border's grey outside."""
+    inner = functional.grid_sample(image - BORDER, grid, "bilinear", "zeros", align_corners=False)
+    return inner.add_(BORDER)
+
+
+def _normalised(image: Tensor) -> Tensor:
+    """0..255 -> ImageNet's mean 0 and deviation 1, channels last."""
+    mean = torch.tensor(IMAGENET_MEAN, device=image.device).mul(255).reshape(3, 1, 1)
+    std = torch.tensor(IMAGENET_STD, device=image.device).mul(255).reshape(3, 1, 1)
+    return ((image - mean) / std).contiguous(memory_format=torch.channels_last)

@@ -1,0 +1,253 @@
+from __future__ import annotations
+
+import csv
+import os
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+import torch
+from safetensors.torch import load_file
+from train_scene import write_scene
+
+from macram.model import ThreePaths
+from macram.quant import LsqConv2d
+from macram.train.checkpoint import load_model, read_tensors
+from macram.train.config import TrainConfig
+from macram.train.distributed import Processes
+from macram.train.loop import LAST, MODEL, Run
+
+ALONE = Processes(0, 1, torch.device("cpu"))
+
+
+@pytest.fixture(scope="module", autouse=True)
+def one_thread():
+    """Layers this small lose more to waiting for each other's threads than they win."""
+    before = torch.get_num_threads()
+    torch.set_num_threads(1)
+    yield
+    torch.set_num_threads(before)
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory):
+    return write_scene(tmp_path_factory.mktemp("scene") / "data")
+
+
+def config(scene, out, stage="wdr", **tables):
+    table = {
+        "run": {"stage": stage, "out": str(out), "precision": "fp32"},
+        "data": {"root": str(scene), "cache": str(scene.parent / "cache")},
+        "network": {"size": "tiny", "image_size": 64, "surface": stage == "wdr"},
+        "optimiser": {"kind": "adamw", "lr": 2e-3, "average": 0.9},
+        "schedule": {"steps": 6, "batch": 4, "warmup": 2, "shape": "cosine"},
+        "crops": [{"until": 0.4, "sizes": [32]}, {"until": 1, "sizes": [0]}],
+        "quant": {"calibration": 8},
+        "log": {"every": 2, "checkpoint_minutes": 0.0, "evaluate_frames": 2},
+    }
+    for name, values in tables.items():
+        table[name] = {**table.get(name, {}), **values} if isinstance(values, dict) else values
+    return TrainConfig.from_dict(table)
+
+
+@pytest.fixture(scope="module")
+def wdr(scene, tmp_path_factory):
+    """A finished stage 1."""
+    out = tmp_path_factory.mktemp("wdr")
+    Run(config(scene, out), ALONE, None).train()
+    return out / MODEL
+
+
+STAGES = ["wdr", "control", "counterfactual", "published", "lsq-8-I", "lsq-3-III"]
+
+
+def stage_config(name, scene, out, wdr):
+    if name == "wdr":
+        return config(scene, out)
+    if name.startswith("lsq"):
+        _, bits, mode = name.split("-")
+        return config(scene, out, "lsq", run={"init": str(wdr)}, quant={"bits": int(bits), "mode": mode})
+    changes = {"run": {"init": str(wdr)}, "optimiser": {"kind": "sgd", "lr": 1e-3, "average": 0.0}}
+    if name == "published":
+        faults = [
+            "dead_top",
+            "drifting_statistics",
+            "untrained_counterfactual",
+            "misaligned_warp",
+            "refitted_poses",
+        ]
+        changes |= {"network": {"faults": faults}, "crops": [{"until": 1, "sizes": [0]}]}
+        name = "counterfactual"
+    return config(scene, out, name, **changes)
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_resumed_run_equals_an_uninterrupted_one_bit_for_bit(stage, scene, tmp_path, wdr):
+    whole = stage_config(stage, scene, tmp_path / "whole", wdr)
+    Run(whole, ALONE, None).train()
+
+    parts = replace(whole, run=replace(whole.run, out=str(tmp_path / "parts")))
+    first = Run(parts, ALONE, None)
+    # What an interruption after step 3 leaves.
+    _stop_after(first, 3)
+    second = Run(parts, ALONE, None, resume=True)
+    assert second.step == 3
+    second.train()
+
+    for name in (LAST, MODEL):
+        one, other = load_file(tmp_path / "whole" / name), load_file(tmp_path / "parts" / name)
+        assert one.keys() == other.keys()
+        assert all(torch.equal(one[key], other[key]) for key in one)
+    state = [read_tensors(tmp_path / part / LAST)[1]["state"] for part in ("whole", "parts")]
+    assert [(s["step"], s["visits"]) for s in state] == [(6, 24), (6, 24)]
+
+
+def _stop_after(run, steps):
+    run.folder.mkdir(parents=True)
+    run.stage.module.train()
+    for _ in range(steps):
+        run._one_step()
+    run.save()
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_every_stage_trains_what_it_should(stage, scene, tmp_path, wdr):
+    run = Run(stage_config(stage, scene, tmp_path / "run", wdr), ALONE, None)
+    before = {name: value.clone() for name, value in run.stage.module.state_dict().items()}
+    run.train()
+    after = run.stage.module.state_dict()
+    moved = {
+        name.split(".")[0] + "." + name.split(".")[1]
+        for name in before
+        if not torch.equal(before[name], after[name])
+    }
+    if stage in ("counterfactual", "published"):
+        assert isinstance(run.stage.module, ThreePaths)
+        assert {"model.fpn", "model.fpn_pseudo", "model.head"} <= moved
+        # The published fault: statistics of the frozen backbone drift, and the counterfactual pyramid stays.
+        assert ("model.backbone" in moved) == (stage == "published")
+        assert any(name.startswith("fpn.") for name in moved) == (stage == "counterfactual")
+        assert run.augment.draws == ("independent" if stage == "published" else "shared")
+        assert run.augment.labels == ("reference" if stage == "published" else "exact")
+    else:
+        assert {"backbone.init", "fpn.laterals", "head.pose"} <= moved
+    net, card = load_model(tmp_path / "run" / MODEL)
+    assert (card.mode, card.bits) == (
+        {"8": ("I", 8), "3": ("III", 3)}[stage[4]] if "lsq" in stage else ("", 32)
+    )
+    assert any(isinstance(m, LsqConv2d) for m in net.modules()) == (stage == "lsq-3-III")
+    assert next(h["config"]["run"]["stage"] for h in card.history) == "wdr"
+    assert card.focal == pytest.approx(76.0)
+    assert not any(name.startswith("head.surface") for name in net.state_dict())
+
+
+def test_a_run_leaves_its_log_and_samples(scene, tmp_path):
+    Run(config(scene, tmp_path / "run"), ALONE, None).train()
+    with (tmp_path / "run/log.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [int(row["step"]) for row in rows] == [2, 4, 6, 6]
+    assert all(float(row["loss"]) > 0 and float(row["img_s"]) > 0 for row in rows[:3])
+    assert 0 <= float(rows[3]["add_0.5"]) <= 100
+    assert [p.name for p in (tmp_path / "run/samples").iterdir()] == ["0000006.jpg"]
+    assert list((tmp_path / "run/tensorboard").iterdir())
+
+
+def test_an_existing_run_is_neither_overwritten_nor_resumed_otherwise(scene, tmp_path):
+    mine = config(scene, tmp_path / "run", schedule={"steps": 2})
+    with pytest.raises(ValueError, match="no checkpoint to resume"):
+        Run(mine, ALONE, None, resume=True)
+    Run(mine, ALONE, None).train()
+    with pytest.raises(ValueError, match="add --resume"):
+        Run(mine, ALONE, None)
+    other = config(scene, tmp_path / "run", schedule={"steps": 2}, optimiser={"lr": 1e-3})
+    with pytest.raises(ValueError, match=r"optimiser\.lr = 0\.002, not 0\.001"):
+        Run(other, ALONE, None, resume=True)
+
+
+def test_time_limit_ends_a_run_and_leaves_a_checkpoint(scene, tmp_path):
+    mine = config(scene, tmp_path / "run", schedule={"steps": 10**6, "max_minutes": 0.02, "by_clock": True})
+    run = Run(mine, ALONE, None)
+    run.train()
+    assert 0 < run.step < 10**6
+    assert load_model(tmp_path / "run" / MODEL)[1].history[-1]["step"] == run.step
+
+
+def test_a_diverged_run_says_so_and_keeps_the_last_checkpoint(scene, tmp_path):
+    run = Run(config(scene, tmp_path / "run"), ALONE, None)
+    with torch.no_grad():
+        run.stage.net.head.pose.weight.fill_(float("nan"))
+    with pytest.raises(RuntimeError, match=r"loss is nan at step 2; lower optimiser\.lr"):
+        run.train()
+    assert not (tmp_path / "run" / LAST).exists()
+
+
+@pytest.mark.parametrize(
+    ("stage", "words"), [("lsq", "is quantised already"), ("counterfactual", "is quantised already")]
+)
+def test_stages_refuse_unsuitable_checkpoints(stage, words, scene, tmp_path, wdr):
+    quantised = tmp_path / "lsq"
+    Run(stage_config("lsq-3-III", scene, quantised, wdr), ALONE, None).train()
+    with pytest.raises(ValueError, match=words):
+        Run(config(scene, tmp_path / "next", stage, run={"init": str(quantised / MODEL)}), ALONE, None)
+
+
+def test_damaged_checkpoints_are_named(tmp_path, wdr):
+    cut = tmp_path / "cut.safetensors"
+    cut.write_bytes(wdr.read_bytes()[:-100])
+    with pytest.raises(ValueError, match=r"cut\.safetensors: not a safetensors file"):
+        load_model(cut)
+    with pytest.raises(ValueError, match=r"none\.safetensors: no such checkpoint"):
+        load_model(tmp_path / "none.safetensors")
+    with pytest.raises(ValueError, match="is no network"):
+        load_model(wdr.parent / LAST)
+
+
+# ---- several processes ------------------------------------------------------------------------------
+
+WORKER = """
+import sys, torch
+from macram.train.config import TrainConfig
+from macram.train.distributed import join_processes, leave_processes
+from macram.train.loop import Run
+import json
+torch.set_num_threads(1)
+table, out = json.loads(sys.argv[1]), sys.argv[2]
+processes = join_processes("cpu")
+run = Run(TrainConfig.from_dict(table), processes, None)
+run.stage.module.train()
+gradients = []
+run.optimiser.step = lambda: gradients.append({run.names[p]: p.grad.clone() for p in run.names})
+run._one_step()
+buffers = {n: b for n, b in run.stage.module.state_dict().items() if "running" in n}
+torch.save((gradients[0], buffers), f"{out}/{processes.rank}-{processes.world}.pt")
+leave_processes()
+"""
+
+
+@pytest.mark.parametrize("stage", ["wdr", "counterfactual"])
+def test_two_processes_have_one_process_gradients(stage, scene, tmp_path, wdr):
+    import json  # noqa: PLC0415
+
+    mine = stage_config(stage, scene, tmp_path / "run", wdr)
+    mine = replace(
+        mine, optimiser=replace(mine.optimiser, clip=0.0), schedule=replace(mine.schedule, batch=5)
+    )
+    script = tmp_path / "worker.py"
+    script.write_text(WORKER)
+    arguments = [str(script), json.dumps(mine.to_dict()), str(tmp_path)]
+    environment = {**os.environ, "OMP_NUM_THREADS": "1", "PYTHONPATH": str(Path(__file__).parents[2] / "sw")}
+    torchrun = ["-m", "torch.distributed.run", "--standalone", "--nproc-per-node", "2"]
+    for before in ([], torchrun):
+        subprocess.run([sys.executable, *before, *arguments], env=environment, check=True, timeout=120)
+    one, statistics = torch.load(tmp_path / "0-1.pt")
+    for rank in range(2):
+        both, shared = torch.load(tmp_path / f"{rank}-2.pt")
+        assert both.keys() == one.keys()
+        for name in one:
+            # Sums in another order, through some twenty layers of float32.
+            scale = one[name].abs().max()
+            assert (both[name] - one[name]).abs().max() <= 1e-4 * scale + 1e-7, name
+        for name in statistics:
+            assert torch.allclose(shared[name], statistics[name], rtol=1e-5, atol=1e-6), name
