@@ -16,9 +16,9 @@ from macram.cli.predict_verb import add_predict, predict
 from macram.data.open import open_dataset
 from macram.model import SpaceNet, spacenet_config
 from macram.pose import LevelCells, project
-from macram.predict import Predictor, evaluate_frames
 from macram.quant import calibrate_batch_norm, calibrate_steps, quantise
 from macram.train.checkpoint import Card, load_model, save_model
+from macram.train.predict import Predictor, evaluate_frames
 
 FOCAL = 76.0
 

@@ -52,6 +52,9 @@ def test_dict_round_trip():
         ({**LEAST, "crops": [{"until": 0.5, "sizes": [0]}]}, "the last of them 1"),
         ({**LEAST, "crops": [{"until": 1, "sizes": [50]}]}, "multiples of 32"),
         ({**LEAST, "data": {}}, "data.root is missing"),
+        ({**LEAST, "loss": 3}, "loss must be a table"),
+        ({**LEAST, "augment": {"labels": "refit"}}, "labels 'refit'"),
+        (changed(schedule={"milestones": 0.5}), "schedule.milestones must be a list"),
         ({"run": LEAST["run"], "data": LEAST["data"]}, "schedule is missing"),
         (
             {**LEAST, "augment": {"labels": "reference"}, "crops": [{"until": 1, "sizes": [64]}]},

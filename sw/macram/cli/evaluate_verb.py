@@ -43,11 +43,11 @@ def evaluate(arguments: argparse.Namespace) -> int:
     from macram.data.files import write_picture  # noqa: PLC0415
     from macram.data.open import open_dataset  # noqa: PLC0415
     from macram.pose import RansacSettings  # noqa: PLC0415
-    from macram.predict import Predictor, evaluate_frames  # noqa: PLC0415
     from macram.report.evaluation import write_evaluation  # noqa: PLC0415
     from macram.train.checkpoint import load_model  # noqa: PLC0415
     from macram.train.distributed import join_processes  # noqa: PLC0415
     from macram.train.pack import thinned  # noqa: PLC0415
+    from macram.train.predict import Predictor, evaluate_frames  # noqa: PLC0415
     from macram.train.samples import sample_sheet  # noqa: PLC0415
 
     net, card = load_model(arguments.checkpoint)

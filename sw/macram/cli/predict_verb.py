@@ -39,8 +39,8 @@ def predict(arguments: argparse.Namespace) -> int:
 
     from macram.data.files import read_picture, write_json, write_picture  # noqa: PLC0415
     from macram.pose import draw_pose  # noqa: PLC0415
-    from macram.predict import Predictor  # noqa: PLC0415
     from macram.train.distributed import join_processes  # noqa: PLC0415
+    from macram.train.predict import Predictor  # noqa: PLC0415
     from macram.train.samples import box_of  # noqa: PLC0415
 
     names = _names(arguments.images)

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any, get_type_hints
+from typing import Any
 
 from macram.model import SIZES, VARIANTS, Faults, SpaceNetConfig, spacenet_config
 from macram.model.counts import MODES
 from macram.train.augment import AugmentSettings
 from macram.train.losses import LossWeights
+from macram.train.tables import build, read_table
 
 STAGES = ("wdr", "counterfactual", "control", "lsq")
 """1: factual path. 2: the three paths. 1 continued for as long as 2, to compare. 3: quantised."""
@@ -315,7 +315,7 @@ class TrainConfig:
         Raises:
             ValueError: a table or key is unknown or missing, or a value has the wrong type or range.
         """
-        config = _build(cls, values, "")
+        config = build(cls, values)
         assert isinstance(config, cls)
         return config
 
@@ -330,64 +330,8 @@ def load_config(path: Path, overrides: Mapping[str, Any] | None = None) -> Train
     Raises:
         ValueError: no such file, not TOML, or not a training configuration; one line that names it.
     """
-    try:
-        table = tomllib.loads(path.read_text())
-    except FileNotFoundError:
-        raise ValueError(f"{path}: no such configuration") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ValueError(f"{path}: not valid TOML ({error})") from None
-    for key, value in (overrides or {}).items():
-        *parents, last = key.split(".")
-        place = table
-        for parent in parents:
-            place = place.setdefault(parent, {})
-        place[last] = value
+    table = read_table(path, overrides)
     try:
         return TrainConfig.from_dict(table)
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from None
-
-
-def _build(kind: type, values: Any, name: str) -> Any:
-    """A dataclass from a table, its parts likewise; integers count as floats, lists as tuples."""
-    prefix = f"{name}." if name else ""
-    if not isinstance(values, Mapping):
-        raise ValueError(f"{name} must be a table, not {values!r}")
-    hints, known = get_type_hints(kind), [f.name for f in fields(kind)]
-    if unknown := sorted(set(values) - set(known)):
-        raise ValueError(f"{prefix}{unknown[0]} is unknown; known are {', '.join(known)}")
-    given = {key: _value(hints[key], value, prefix + key) for key, value in values.items()}
-    try:
-        return kind(**given)
-    except TypeError:
-        missing = [
-            key for key in ("run", "data", "schedule", "stage", "out", "root", "steps") if key in known
-        ]
-        raise ValueError(f"{prefix}{next(k for k in missing if k not in given)} is missing") from None
-
-
-def _value(hint: Any, value: Any, name: str) -> Any:
-    if hasattr(hint, "__dataclass_fields__"):
-        return _build(hint, value, name)
-    if hint == tuple[CropPhase, ...]:
-        if not isinstance(value, list | tuple):
-            raise ValueError(f"{name} must be tables [[{name}]], not {value!r}")
-        return tuple(_build(CropPhase, entry, name) for entry in value)
-    if hint in (tuple[int, ...], tuple[float, ...]):
-        kind = int if hint == tuple[int, ...] else float
-        if not isinstance(value, list | tuple):
-            raise ValueError(f"{name} must be a list of numbers, not {value!r}")
-        return tuple(_scalar(kind, entry, name) for entry in value)
-    if hint == tuple[str, ...] | None:
-        if not isinstance(value, list | tuple | None):
-            raise ValueError(f"{name} must be a list of names, not {value!r}")
-        return None if value is None else tuple(_scalar(str, entry, name) for entry in value)
-    return _scalar(hint if isinstance(hint, type) else str, value, name)
-
-
-def _scalar(kind: type, value: Any, name: str) -> Any:
-    if kind is float and isinstance(value, int) and not isinstance(value, bool):
-        return float(value)
-    if not isinstance(value, kind) or (kind is not bool and isinstance(value, bool)):
-        raise ValueError(f"{name} must be of type {kind.__name__}, not {value!r}")
-    return value

@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any, cast
 
 import torch
 import torch.distributed as dist
 from torch import Tensor, nn
-from torch.distributed.nn import functional as shared
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +90,26 @@ def leave_processes() -> None:
         dist.destroy_process_group()
 
 
+class _Sum(torch.autograd.Function):
+    """Sum over all processes: every process's loss depends on every summand, so gradients add up likewise."""
+
+    @staticmethod
+    def forward(ctx: Any, value: Tensor) -> Tensor:
+        total = value.clone()
+        dist.all_reduce(total)
+        return total
+
+    @staticmethod
+    def backward(ctx: Any, *grads: Tensor) -> Tensor:
+        total = grads[0].clone()
+        dist.all_reduce(total)
+        return total
+
+
+def _summed(value: Tensor) -> Tensor:
+    return cast(Tensor, _Sum.apply(value))  # type: ignore[no-untyped-call]
+
+
 class SharedBatchNorm2d(nn.BatchNorm2d):
     """Batch normalisation whose training statistics are those of all processes' images.
 
@@ -102,11 +122,11 @@ class SharedBatchNorm2d(nn.BatchNorm2d):
             return super().forward(input)
         x = input.float()
         sums = torch.cat((x.sum((0, 2, 3)), x.new_tensor([x.numel() / x.shape[1]])))
-        sums = shared.all_reduce(sums)  # type: ignore[no-untyped-call]
+        sums = _summed(sums)
         count = sums[-1].detach()
         mean = sums[:-1] / count
         centred = x - mean[:, None, None]
-        variance = shared.all_reduce(centred.square().sum((0, 2, 3))) / count  # type: ignore[no-untyped-call]
+        variance = _summed(centred.square().sum((0, 2, 3))) / count
         if self.track_running_stats and self.running_mean is not None and self.running_var is not None:
             assert self.num_batches_tracked is not None
             assert self.momentum is not None

@@ -100,6 +100,11 @@ class Bar:
             )
             self.progress.start()
 
+    def advance(self, step: int) -> None:
+        """After ``step`` steps; nothing new to tell."""
+        if self.progress is not None:
+            self.progress.update(self.task, completed=step)
+
     def update(self, step: int, loss: float, rate: float, seconds_left: float) -> None:
         """After ``step`` steps."""
         if self.progress is not None:

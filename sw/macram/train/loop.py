@@ -4,11 +4,7 @@ from __future__ import annotations
 
 import copy
 import math
-import signal
-import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -33,10 +29,12 @@ from macram.train.config import TrainConfig
 from macram.train.distributed import Processes, share_batch_norm
 from macram.train.logs import Bar, Log
 from macram.train.objective import Objective
+from macram.train.optimiser import follow, make_optimiser
 from macram.train.pack import pack_frames, thinned
 from macram.train.samples import sample_sheet
 from macram.train.schedule import crop_phase, learning_rate, progress
 from macram.train.stages import Stage, autocast_helps, exact_predictors
+from macram.train.stopping import Clock, stop_on_signal
 from macram.train.views import VIEWS, draw_views, frame_order
 from macram.train.warp import Cells, Warper
 
@@ -90,7 +88,7 @@ class Run:
             share_batch_norm(self.stage.module)
         named = [(n, p) for n, p in self.stage.module.named_parameters() if p.requires_grad]
         self.names: dict[Tensor, str] = {p: n for n, p in named}
-        self.optimiser = _optimiser(config, [p for _, p in named])
+        self.optimiser = make_optimiser(config.optimiser, [p for _, p in named])
         self.average = copy.deepcopy(self.stage.net) if config.optimiser.average else None
         if resume:
             self._restore()
@@ -151,11 +149,11 @@ class Run:
             self.folder.mkdir(parents=True, exist_ok=True)
         log = Log(self.folder, self.step) if first else None
         bar = Bar(self.console, schedule.steps, self.step, config.run.stage)
-        clock = _Clock(self.minutes)
+        clock = Clock(self.minutes)
         saved = scored = self.minutes
         sums: dict[str, Tensor] = {}
-        since, counted, aside = time.monotonic(), 0, 0.0
-        with _stop_on_signal() as stop, exact_predictors(self.stage.net, self.processes.device):
+        since, counted, summed = time.monotonic(), 0, 0
+        with stop_on_signal() as stop, exact_predictors(self.stage.net, self.processes.device):
             self.stage.module.train()
             while self.step < schedule.steps:
                 self.minutes = clock.minutes
@@ -168,14 +166,14 @@ class Run:
                 values, images = self._one_step()
                 for name, value in values.items():
                     sums[name] = sums.get(name, torch.zeros_like(value)) + value
-                counted += images
+                counted, summed = counted + images, summed + 1
+                bar.advance(self.step)
                 if self.step % config.log.every and self.step < schedule.steps:
                     continue
-                steps = (self.step - 1) % config.log.every + 1
-                means = {name: float(value) / steps for name, value in sums.items()}
+                means = {name: float(value) / summed for name, value in sums.items()}
                 means["loss"] = sum(means.get(n, 0.0) for n in self.loss_names)
                 now = time.monotonic()
-                rate = counted / max(now - since - aside, 1e-9)
+                rate = counted / max(now - since, 1e-9)
                 if not math.isfinite(means["loss"]):
                     raise RuntimeError(
                         f"the loss is {means['loss']} at step {self.step}; lower optimiser.lr and --resume"
@@ -189,7 +187,7 @@ class Run:
                     "img_s": rate,
                     **means,
                 }
-                sums, since, counted, aside = {}, now, 0, 0.0
+                sums, counted, summed = {}, 0, 0
                 every = config.log.evaluate_minutes
                 if first and every and clock.minutes - scored >= every:
                     row |= self._score(log)
@@ -243,27 +241,14 @@ class Run:
         self.optimiser.step()
         self.step += 1
         self.visits += images
-        self._update_average()
+        if self.average is not None:
+            follow(self.average, self.stage.net, config.optimiser.average, self.step)
         values = {name: value.detach() for name, value in losses.items()}
         return values | {
             "grad_norm": norm,
             "lr": torch.tensor(rate),
             "size": torch.tensor(float(size[0])),
         }, images
-
-    def _update_average(self) -> None:
-        if self.average is None:
-            return
-        # Young averages forget faster, else the first random weights would stay for long.
-        weight = 1 - min(self.config.optimiser.average, (1 + self.step) / (10 + self.step))
-        mine = list(self.average.state_dict().values())
-        with torch.no_grad():
-            pairs = list(zip(mine, self.stage.net.state_dict().values(), strict=True))
-            floats = [(a, b) for a, b in pairs if a.is_floating_point()]
-            torch._foreach_lerp_([a for a, _ in floats], [b for _, b in floats], weight)
-            for a, b in pairs:
-                if not a.is_floating_point():
-                    a.copy_(b)
 
     def _seconds_left(self, minutes: float) -> float:
         done = max(self.step / self.config.schedule.steps, 1e-9)
@@ -309,7 +294,7 @@ class Run:
 
     def _score(self, log: Log | None) -> dict[str, float]:
         """Accuracy on validation frames, and a sheet of pictures."""
-        from macram.predict import Predictor, evaluate_frames  # noqa: PLC0415
+        from macram.train.predict import Predictor, evaluate_frames  # noqa: PLC0415
 
         settings = self.config.data
         if not settings.validation:
@@ -328,59 +313,6 @@ class Run:
         table = evaluation.summary["fixed"]["all"]
         scores = {f"add_{limit}": table["add"][limit] for limit in ("0.1", "0.2", "0.5")}
         return {**scores, "misses": 100 * table["misses"] / table["frames"]}
-
-
-class _Clock:
-    """Minutes of this run, those before a resumption included."""
-
-    def __init__(self, minutes: float) -> None:
-        self.start = time.monotonic() - 60 * minutes
-
-    @property
-    def minutes(self) -> float:
-        return (time.monotonic() - self.start) / 60
-
-
-def _optimiser(config: TrainConfig, parameters: list[nn.Parameter]) -> torch.optim.Optimizer:
-    settings = config.optimiser
-    fused = parameters[0].is_cuda  # hundreds of small launches less
-    if settings.kind == "sgd":
-        return torch.optim.SGD(
-            parameters,
-            settings.lr,
-            momentum=settings.momentum,
-            weight_decay=settings.weight_decay,
-            nesterov=settings.momentum > 0,
-            fused=fused,
-        )
-    groups = [
-        {"params": [p for p in parameters if p.ndim > 1], "weight_decay": settings.weight_decay},
-        {"params": [p for p in parameters if p.ndim <= 1], "weight_decay": 0.0},
-    ]
-    return torch.optim.AdamW(groups, settings.lr, betas=(settings.momentum, 0.999), fused=fused)
-
-
-@contextmanager
-def _stop_on_signal() -> Iterator[threading.Event]:
-    """While open, the first SIGINT or SIGTERM asks to stop after the step; a second one acts as ever."""
-    stop = threading.Event()
-    if threading.current_thread() is not threading.main_thread():
-        yield stop
-        return
-    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
-
-    def ask(number: int, frame: Any) -> None:
-        stop.set()
-        for n, handler in before.items():
-            signal.signal(n, handler)
-
-    for number in before:
-        signal.signal(number, ask)
-    try:
-        yield stop
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
 
 
 def _under(tensors: dict[str, Tensor], prefix: str) -> dict[str, Tensor]:
