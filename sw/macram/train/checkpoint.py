@@ -164,22 +164,6 @@ def load_state(net: torch.nn.Module, tensors: Mapping[str, Tensor], path: Path) 
     net.load_state_dict({name: value for name, value in tensors.items() if name in own}, strict=False)
 
 
-def load_backbone(net: SpaceNet, path: Path) -> None:
-    """Loads weights of the backbone alone, under the names of `DarkNet53`, with or without ``backbone.``.
-
-    Raises:
-        ValueError: missing, or of another backbone.
-    """
-    try:
-        with safe_open(path, framework="pt", device="cpu") as file:
-            tensors = {name.removeprefix("backbone."): file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
-    except FileNotFoundError:
-        raise ValueError(f"{path}: no such file of backbone weights") from None
-    except (SafetensorError, OSError) as error:
-        raise ValueError(f"{path}: not a safetensors file ({error})") from None
-    load_state(net.backbone, tensors, path)
-
-
 def optimiser_tensors(optimiser: torch.optim.Optimizer, names: Mapping[Tensor, str]) -> dict[str, Tensor]:
     """The optimiser's memory by ``parameter/slot``."""
     return {

@@ -38,7 +38,8 @@ class RunSettings:
         stage: one of `STAGES`.
         out: folder of checkpoints and logs.
         init: checkpoint to start from; empty for none. Stage wdr needs none, the others do.
-        backbone: safetensors file with weights of the backbone alone, such as ImageNet's; empty for none.
+        backbone: file with weights of the backbone alone, such as ImageNet's, in this project's tensor names or
+            pytorchcv's; see `macram.train.pretrained`. Empty for none.
         seed: decides weights, order of the frames and every random view.
         precision: ``bf16`` (mixed), ``fp32``, or ``auto``: bf16 where the processor has it, except in lsq.
         freeze_backbone: train pyramids and head only; always so in the counterfactual stage.

@@ -29,7 +29,7 @@ from macram.train.config import TrainConfig
 from macram.train.distributed import Processes, share_batch_norm
 from macram.train.logs import Bar, Log
 from macram.train.objective import Objective
-from macram.train.optimiser import follow, make_optimiser
+from macram.train.optimiser import Follower, make_optimiser
 from macram.train.pack import pack_frames, thinned
 from macram.train.samples import sample_sheet
 from macram.train.schedule import crop_phase, learning_rate, progress
@@ -90,6 +90,7 @@ class Run:
         self.names: dict[Tensor, str] = {p: n for n, p in named}
         self.optimiser = make_optimiser(config.optimiser, [p for _, p in named])
         self.average = copy.deepcopy(self.stage.net) if config.optimiser.average else None
+        self.follower = None if self.average is None else Follower(self.average, self.stage.net)
         if resume:
             self._restore()
         wanted = config.run.precision
@@ -241,8 +242,8 @@ class Run:
         self.optimiser.step()
         self.step += 1
         self.visits += images
-        if self.average is not None:
-            follow(self.average, self.stage.net, config.optimiser.average, self.step)
+        if self.follower is not None:
+            self.follower.follow(config.optimiser.average, self.step)
         values = {name: value.detach() for name, value in losses.items()}
         return values | {
             "grad_norm": norm,

@@ -27,20 +27,30 @@ def make_optimiser(settings: OptimiserSettings, parameters: list[nn.Parameter]) 
     return torch.optim.AdamW(groups, settings.lr, betas=(settings.momentum, 0.999), fused=fused)
 
 
-def follow(average: nn.Module, net: nn.Module, decay: float, step: int) -> None:
-    """Moves ``average``, a copy of ``net``, a little towards it: weights and running statistics.
+class Follower:
+    """Moves a copy of a network a little towards it after each step: weights and running statistics.
+
+    The tensors are looked up once: a walk through the modules per step would take longer than the moving.
 
     Args:
-        average: changed in place.
-        net: after its optimiser step.
-        decay: share that stays.
-        step: steps so far. Young averages forget faster, else the first random weights would stay for long.
+        average: the copy, changed in place.
+        net: its original. Both must keep their tensors, as optimiser steps and `load_state_dict` do.
     """
-    weight = 1 - min(decay, (1 + step) / (10 + step))
-    with torch.no_grad():
+
+    def __init__(self, average: nn.Module, net: nn.Module) -> None:
         pairs = list(zip(average.state_dict().values(), net.state_dict().values(), strict=True))
-        floats = [(a, b) for a, b in pairs if a.is_floating_point()]
-        torch._foreach_lerp_([a for a, _ in floats], [b for _, b in floats], weight)
-        for a, b in pairs:
-            if not a.is_floating_point():
-                a.copy_(b)
+        self.floats = [pair for pair in pairs if pair[0].is_floating_point()]
+        self.counts = [pair for pair in pairs if not pair[0].is_floating_point()]
+
+    @torch.no_grad()
+    def follow(self, decay: float, step: int) -> None:
+        """Takes one step.
+
+        Args:
+            decay: share that stays.
+            step: steps so far. Young averages forget faster, else the first random weights would stay long.
+        """
+        weight = 1 - min(decay, (1 + step) / (10 + step))
+        torch._foreach_lerp_([a for a, _ in self.floats], [b for _, b in self.floats], weight)
+        if self.counts:
+            torch._foreach_copy_([a for a, _ in self.counts], [b for _, b in self.counts])

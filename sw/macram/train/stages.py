@@ -14,10 +14,11 @@ from torch import Tensor, nn
 from macram.model import SpaceNet, ThreePaths
 from macram.quant import quantise
 from macram.train.augment import AugmentSettings
-from macram.train.checkpoint import Card, load_backbone, load_model, load_state
+from macram.train.checkpoint import Card, load_model, load_state
 from macram.train.config import TrainConfig
 from macram.train.objective import Objective
 from macram.train.pack import PackedFrames
+from macram.train.pretrained import load_backbone
 from macram.train.warp import Batch, Cells
 
 
