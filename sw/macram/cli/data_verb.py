@@ -1,4 +1,4 @@
-"""``macram data render | info | show | verify``."""
+"""``macram data render | info | show | verify | compare``."""
 
 from __future__ import annotations
 
@@ -70,6 +70,18 @@ def add_data(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> N
 
     verify = actions.add_parser("verify", help="decode every file, hold every pose against its mask")
     verify.add_argument("root", type=Path, metavar="DIR")
+
+    compare = actions.add_parser(
+        "compare",
+        help="rendered frames beside Mitsuba's picture of the same scenes",
+        description="Ours, Mitsuba's, difference of the silhouettes (red: ours alone, blue: Mitsuba's alone). "
+        "Needs pip install 'macram[mitsuba]'.",
+    )
+    compare.add_argument("root", type=Path, metavar="DIR", help="data set of `macram data render`")
+    compare.add_argument("-o", "--out", type=Path, default=Path("build/compare.png"), metavar="PNG")
+    compare.add_argument("--split", help="default: the first")
+    compare.add_argument("--frames", type=int, default=4, help="frames, spread over the split (default: 4)")
+    compare.add_argument("--samples", type=int, default=64, help="rays per pixel (default: 64)")
 
 
 def data(arguments: argparse.Namespace) -> int:
@@ -232,6 +244,34 @@ def _verify(arguments: argparse.Namespace, console: Console) -> int:
     return 1 if problems else 0
 
 
+def _compare(arguments: argparse.Namespace, console: Console) -> int:
+    from macram.data.compare import chosen_frames, compare, comparison_sheet  # noqa: PLC0415
+    from macram.data.files import write_picture  # noqa: PLC0415
+
+    if arguments.samples < 1:
+        raise ValueError(f"--samples must be 1 or more, not {arguments.samples}")
+    if arguments.out.suffix not in (".png", ".jpg"):
+        raise ValueError(f"{arguments.out}: the comparison is a .png or .jpg file")
+    spec, frames = chosen_frames(arguments.root, arguments.split, arguments.frames)
+    rows = []
+    start = time.perf_counter()
+    _announce(console, f"tracing {len(frames)} frames of {arguments.root}")
+    with _bar(console, "img/s") as bar:
+        task = bar.add_task("tracing", total=len(frames), rate=0.0)
+        for number, frame in enumerate(frames, 1):
+            rows.append(compare(spec, frame, arguments.samples))
+            bar.update(task, completed=number, rate=number / (time.perf_counter() - start))
+    for row in rows:
+        console.print(
+            f"{row.name}: silhouettes overlap {100 * row.overlap:.2f} %",
+            highlight=False, markup=False, soft_wrap=True,
+        )  # fmt: skip
+    arguments.out.parent.mkdir(parents=True, exist_ok=True)
+    write_picture(arguments.out, comparison_sheet(rows))
+    console.print(f"{arguments.out}", highlight=False, markup=False, soft_wrap=True)
+    return 0
+
+
 def _announce(console: Console, work: str) -> None:
     """Where there is no bar, say what takes its time before it does."""
     if not console.is_terminal:
@@ -258,4 +298,5 @@ ACTIONS: dict[str, Callable[[argparse.Namespace, Console], int]] = {
     "info": _info,
     "show": _show,
     "verify": _verify,
+    "compare": _compare,
 }
