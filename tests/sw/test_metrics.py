@@ -8,10 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from macram.data.geometry import BOX_EDGES
 from macram.pose import Pose, add, adi, box_corners, proj, project, re, sample_vertices, speed_score, te
 from macram.pose import evaluation as ev
 from macram.pose import score as speed
-from macram.pose.rigid import BOX_EDGES, camera_matrix, roll
+from macram.pose.rigid import camera_matrix, roll
 
 K = np.array([[303.787, 0.0, 256.0], [0.0, 303.787, 256.0], [0.0, 0.0, 1.0]])
 POINTS = np.random.default_rng(5).uniform(-50, 50, (137, 3))

@@ -3,9 +3,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from macram.data.geometry import BOX_EDGES
 from macram.pose import Pose, box_corners, draw_pose, project
 from macram.pose.draw import AXES, PREDICTED
-from macram.pose.rigid import BOX_EDGES
 
 K = np.array([[303.787, 0.0, 128.0], [0.0, 303.787, 128.0], [0.0, 0.0, 1.0]])
 BOX = box_corners((-50, -50, -54.4), (50, 50, 54.4))

@@ -13,12 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
 
-# Corners run x slowest, z fastest: corner 4 a + 2 b + c has the signs (a, b, c). Two corners share an edge
-# where exactly one bit differs.
-BOX_EDGES: tuple[tuple[int, int], ...] = tuple(
-    (corner, corner | bit) for corner in range(8) for bit in (1, 2, 4) if not corner & bit
-)
-
 # JSON carries rotations with six or more digits; anything further from orthonormal is no rotation.
 _ORTHONORMAL = 1e-3
 
@@ -96,12 +90,6 @@ def project(K: ArrayLike, R: ArrayLike, t: ArrayLike, pts: ArrayLike) -> Floats:
     depth = image[..., 2:]
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(np.where(depth > 0, image[..., :2] / depth, np.nan))
-
-
-def box_corners(low: ArrayLike, high: ArrayLike) -> Floats:
-    """``[8, 3]`` corners of a box from its two extreme points, in the order `BOX_EDGES` counts."""
-    ends = np.stack([np.asarray(low, np.float64), np.asarray(high, np.float64)])
-    return np.array([[ends[c >> 2 & 1, 0], ends[c >> 1 & 1, 1], ends[c & 1, 2]] for c in range(8)])
 
 
 def roll(angle: float) -> Floats:

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from macram.data.frame import Frame
+from macram.data.geometry import box_corners
 from macram.pose import Detection, Pose, draw_pose
 from macram.pose.draw import TRUE
-from macram.pose.rigid import box_corners
 
 PICTURES, COLUMNS, SIDE = 8, 4, 320
 
