@@ -52,8 +52,16 @@ def run(rule, branch, stream, *, enable=True, hurry=0.0, seed=0):
     async def receive_sums(ctx):
         sums.extend(await get(ctx, dut.sums, len(words), stall=hurry, rng=random.Random(seed + 4)))
 
-    benches = [prepare, receive] + ([residual, receive_sums] if enable else [])
-    simulate(dut, *benches)
+    async def untouched(ctx):
+        ctx.set(dut.residual.valid, 1)
+        async for *_, ready, valid in ctx.tick().sample(dut.residual.ready, dut.sums.valid):
+            assert not ready
+            assert not valid
+
+    if enable:
+        simulate(dut, prepare, receive, residual, receive_sums)
+    else:
+        simulate(dut, prepare, receive, background=[untouched])
 
     def codes(received, bits):
         count = ARRAY.output_word_channels
