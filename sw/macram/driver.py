@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from macram.pack import PackedLayer
 from macram.spec import BY_NAME, ArrayConfig, Control, ConvSpec, Error, IntFormat, Status, StreamLayout
-from macram.spec.registers import ID_VALUE, VERSION_VALUE
+from macram.spec.registers import ID_VALUE, VERSION_VALUE, mode_word
 
 Beats = NDArray[np.uint8]
 """``[beats, stream_bits // 8]`` bytes, low byte first."""
@@ -149,7 +149,10 @@ class ArrayDriver:
             ("WIDTH", spec.width),
             ("C_IN", spec.c_in),
             ("C_OUT", spec.c_out),
-            ("MODE", spec.kernel | spec.stride << 8 | spec.padding << 16),
+            (
+                "MODE",
+                mode_word(spec.kernel, spec.stride, spec.padding, biased=self._array.biased(spec)),
+            ),
         ):
             await self._write(name, value)
         self._spec = spec
@@ -168,7 +171,7 @@ class ArrayDriver:
             raise ValueError(
                 f"the image must be [{spec.c_in}, {spec.height}, {spec.width}], not {list(input_codes.shape)}"
             )
-        beats = StreamLayout(spec.c_in, array.input, array.stream_bits).pack(input_codes)
+        beats = StreamLayout(spec.c_in, spec.input, array.stream_bits).pack(input_codes)
         output = StreamLayout(spec.c_out, array.output, array.stream_bits)
         beats_out = spec.out_height * spec.out_width * output.beats_per_pixel
         await self._write("CONTROL", Control.START)

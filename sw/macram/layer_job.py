@@ -155,6 +155,9 @@ def array_for(spec: ConvSpec, base: ArrayConfig | None = None) -> ArrayConfig:
     """
     array = base or ArrayConfig()
     formats: dict[str, Any] = {"weight": spec.weight, "input": spec.input, "output": spec.output}
+    if spec.input.signed and spec.input.bits == array.input.bits:
+        # Arrays of unsigned inputs take signed codes as well.
+        formats["input"] = array.input
     if any(getattr(array, key) != value for key, value in formats.items()):
         name = "-".join([array.name, *map(str, formats.values())])
         array = dataclasses.replace(array, name=name, **formats)
