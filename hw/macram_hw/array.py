@@ -13,62 +13,12 @@ from macram_hw.sequencer import Sequencer
 from macram_hw.shape import LayerShape, ShapeDecoder
 from macram_hw.unit import PimUnit, control_delay
 
-__all__ = ["COUNTERS", "Array", "FrameCheck"]
+__all__ = ["COUNTERS", "Array"]
 
 _SETTINGS = (
     "height", "width", "c_in", "c_out", "mode", "weight_base", "requant_base", "words", "param_base",
 )  # fmt: skip
 COUNTERS = ("cycles", "mac_cycles", "fill_cycles", "input_stalls", "output_stalls", "drain_cycles")
-
-
-class FrameCheck(wiring.Component):
-    """Lets exactly one image pass and compares TLAST with the shape.
-
-    No latency: beats pass through; ``i`` is stalled outside an image.
-
-    Members:
-        start: In, open for an image. shape: In.
-        i: In stream, `Beat`. o: Out stream, data.
-        fault, error: Out, strobe when TLAST comes early or is missing on the last beat.
-    """
-
-    def __init__(self, config: ArrayConfig):
-        super().__init__({
-            "start": In(1),
-            "shape": In(LayerShape()),
-            "i": In(stream.Signature(Beat(config.stream_bits))),
-            "o": Out(stream.Signature(config.stream_bits)),
-            "fault": Out(1),
-            "error": Out(Error, init=Error.NONE),
-        })  # fmt: skip
-
-    def elaborate(self, platform):
-        m = Module()
-        is_open = Signal()
-        beat, column, row = Signal(16), Signal(16), Signal(16)
-        put, pixel_last, row_last, image_last = Signal(), Signal(), Signal(), Signal()
-        m.d.comb += [
-            self.o.payload.eq(self.i.payload.data),
-            self.o.valid.eq(self.i.valid & is_open),
-            self.i.ready.eq(self.o.ready & is_open),
-            put.eq(self.i.valid & self.i.ready),
-            pixel_last.eq(beat + 1 == self.shape.beats_in),
-            row_last.eq(pixel_last & (column + 1 == self.shape.width)),
-            image_last.eq(row_last & (row + 1 == self.shape.height)),
-            self.fault.eq(put & (self.i.payload.last != image_last)),
-            self.error.eq(Mux(self.i.payload.last, Error.TLAST_EARLY, Error.TLAST_MISSING)),
-        ]
-        with m.If(put):
-            m.d.sync += beat.eq(Mux(pixel_last, 0, beat + 1))
-            with m.If(pixel_last):
-                m.d.sync += column.eq(Mux(row_last, 0, column + 1))
-            with m.If(row_last):
-                m.d.sync += row.eq(row + 1)
-            with m.If(image_last):
-                m.d.sync += is_open.eq(0)
-        with m.If(self.start):
-            m.d.sync += [is_open.eq(1), beat.eq(0), column.eq(0), row.eq(0)]
-        return m
 
 
 class Array(wiring.Component):
@@ -111,7 +61,7 @@ class Array(wiring.Component):
         config = self._config
         m = Module()
         m.submodules.decoder = decoder = ShapeDecoder(config)
-        m.submodules.frame = frame = FrameCheck(config)
+        m.submodules.frame = frame = FrameCheck(beat_bits=config.stream_bits)
         m.submodules.ingest = ingest = IngestGearbox(
             beat_bits=config.stream_bits, word_bits=config.ingest * config.block_bits
         )
@@ -131,11 +81,17 @@ class Array(wiring.Component):
         connect(m, wiring.flipped(self.i), frame.i)
         connect(m, frame.o, ingest.i)
         connect(m, ingest.o, lines.i)
-        connect(m, drain.o, emit.i)
+        if config.residual_stream_bits:
+            self._residual(m, start, shape, drain, emit)
+        else:
+            connect(m, drain.o, emit.i)
         connect(m, emit.o, wiring.flipped(self.o))
         connect(m, wiring.flipped(self.params), loader.i)
         m.d.comb += [
-            *(block.shape.eq(shape) for block in (frame, lines, sequencer, drain)),
+            *(block.shape.eq(shape) for block in (lines, sequencer, drain)),
+            frame.beats.eq(shape.beats_in),
+            frame.width.eq(shape.width),
+            frame.height.eq(shape.height),
             *(block.start.eq(start) for block in (frame, lines, sequencer, drain)),
             ingest.beats_per_pixel.eq(shape.beats_in),
             ingest.words_per_pixel.eq(shape.ingest_words),

@@ -2,13 +2,15 @@
 
 from amaranth.hdl import Array, Cat, Module, Mux, Signal
 from amaranth.lib import data, stream, wiring
-from amaranth.lib.wiring import In, Out
+from amaranth.lib.wiring import In, Out, connect
 
-from macram.spec import RESIDUAL, ArrayConfig
+from macram.spec import RESIDUAL, ArrayConfig, Error
 from macram_hw.engine import adder_tree
-from macram_hw.gearbox import PixelWord
+from macram_hw.frame import FrameCheck
+from macram_hw.gearbox import Beat, EmitGearbox, IngestGearbox, PixelWord
+from macram_hw.shape import LayerShape
 
-__all__ = ["ResidualAdder", "ResidualTables"]
+__all__ = ["ResidualAdder", "ResidualPath", "ResidualTables"]
 
 
 class ResidualTables(data.StructLayout):
@@ -99,4 +101,63 @@ class ResidualAdder(wiring.Component):
             m.d.sync += [self.o.payload.eq(codes), self.sums.payload.eq(sums)]
             with m.If(self.enable):
                 m.d.sync += self.o.payload.data.eq(Cat(*following))
+        return m
+
+
+class ResidualPath(wiring.Component):
+    """The adder between two beat streams: residual codes in, sums out, both pixel by pixel as the output is.
+
+    While ``shape.residual`` is low, no residual beat is taken and no sum leaves; codes pass with the adder's latency.
+
+    Members:
+        start: In, begin an image. shape, tables: In, constant during a run.
+        i: In stream, `PixelWord` from the drain. o: Out stream, `PixelWord` of the next layer's codes.
+        residual: In stream, `Beat`. sums: Out stream, `Beat`.
+        fault, error: Out, strobe when TLAST of ``residual`` comes early or is missing on its last beat.
+    """
+
+    def __init__(self, config: ArrayConfig):
+        self._config = config
+        beat, codes = Beat(config.residual_stream_bits), config.output_word_channels * config.output.bits
+        super().__init__({
+            "start": In(1),
+            "shape": In(LayerShape()),
+            "tables": In(ResidualTables(config)),
+            "i": In(stream.Signature(PixelWord(codes))),
+            "o": Out(stream.Signature(PixelWord(codes))),
+            "residual": In(stream.Signature(beat)),
+            "sums": Out(stream.Signature(beat)),
+            "fault": Out(1),
+            "error": Out(Error, init=Error.NONE),
+        })  # fmt: skip
+
+    def elaborate(self, platform):
+        config, shape = self._config, self.shape
+        beat_bits, word_bits = config.residual_stream_bits, config.output_word_channels * RESIDUAL.bits
+        m = Module()
+        m.submodules.frame = frame = FrameCheck(beat_bits=beat_bits)
+        m.submodules.ingest = ingest = IngestGearbox(beat_bits=beat_bits, word_bits=word_bits)
+        m.submodules.adder = adder = ResidualAdder(config)
+        m.submodules.emit = emit = EmitGearbox(word_bits=word_bits, beat_bits=beat_bits)
+        connect(m, wiring.flipped(self.residual), frame.i)
+        connect(m, frame.o, ingest.i)
+        connect(m, ingest.o, adder.residual)
+        connect(m, wiring.flipped(self.i), adder.i)
+        connect(m, adder.o, wiring.flipped(self.o))
+        connect(m, adder.sums, emit.i)
+        connect(m, emit.o, wiring.flipped(self.sums))
+        m.d.comb += [
+            frame.start.eq(self.start & shape.residual),
+            frame.beats.eq(shape.beats_residual),
+            frame.width.eq(shape.out_width),
+            frame.height.eq(shape.out_height),
+            ingest.beats_per_pixel.eq(shape.beats_residual),
+            ingest.words_per_pixel.eq(shape.output_words),
+            adder.start.eq(self.start),
+            adder.enable.eq(shape.residual),
+            adder.tables.eq(self.tables),
+            emit.beats_per_pixel.eq(shape.beats_residual),
+            self.fault.eq(frame.fault),
+            self.error.eq(frame.error),
+        ]
         return m

@@ -4,8 +4,8 @@ from amaranth.hdl import Cat, Module, Mux, Signal
 from amaranth.lib import data, wiring
 from amaranth.lib.wiring import In, Out
 
-from macram.spec import GROUP, MAX_SIDE, TAPS, ArrayConfig, Error
-from macram.spec.registers import MODES
+from macram.spec import GROUP, MAX_SIDE, RESIDUAL, TAPS, ArrayConfig, Error
+from macram.spec.registers import MODE_BIASED, MODE_RESIDUAL, MODES
 
 __all__ = ["LayerShape", "ShapeDecoder"]
 
@@ -23,6 +23,8 @@ class LayerShape(data.StructLayout):
         beats_in, beats_out: stream beats per pixel.
         pointwise: the kernel is 1x1, else 3x3. halved: the stride is 2, else 1.
         biased: signed input codes are raised by half their range.
+        residual: the residual adder is in use. out_width: columns of the output. beats_residual: its stream
+            beats per output pixel.
     """
 
     def __init__(self):
@@ -30,6 +32,7 @@ class LayerShape(data.StructLayout):
             "height": 16, "width": 16, "out_height": 16, "groups": 15, "tail": 2, "blocks": 14,
             "ingest_words": 14, "column_words": 15, "tiles": 12, "output_words": 12, "beats_in": 16,
             "beats_out": 16, "pointwise": 1, "halved": 1, "biased": 1,
+            "residual": 1, "out_width": 16, "beats_residual": 16,
         })  # fmt: skip
 
 
@@ -90,8 +93,16 @@ class ShapeDecoder(wiring.Component):
             shape.beats_out.eq(_ceil_log2_div(self.c_out * config.output.bits, config.stream_bits)),
             shape.pointwise.eq(~self.mode[1]),
             shape.halved.eq(halved),
-            shape.biased.eq(self.mode[24]),
+            shape.biased.eq(self.mode[MODE_BIASED]),
         ]
+        if config.residual_stream_bits:
+            m.d.sync += [
+                shape.residual.eq(self.mode[MODE_RESIDUAL]),
+                shape.out_width.eq(columns),
+                shape.beats_residual.eq(
+                    _ceil_log2_div(self.c_out * RESIDUAL.bits, config.residual_stream_bits)
+                ),
+            ]
         self._check(m)
         return m
 
@@ -116,9 +127,10 @@ class ShapeDecoder(wiring.Component):
             shape.groups * shape.column_words > config.row_words // config.ingest,
         )
         known_mode = Signal()
-        biased = [1 << 24] if not config.input.signed else []
+        biased = [1 << MODE_BIASED] if not config.input.signed else []
+        residual = [1 << MODE_RESIDUAL] if config.residual_stream_bits else []
         with m.Switch(self.mode):
-            with m.Case(*(mode | bit for mode in MODES for bit in [0, *biased])):
+            with m.Case(*(mode | a | b for mode in MODES for a in [0, *biased] for b in [0, *residual])):
                 m.d.comb += known_mode.eq(1)
         bad_mode, bad_shape = Signal(), Signal()
         m.d.sync += [bad_mode.eq(~known_mode), bad_shape.eq(too_big.any())]

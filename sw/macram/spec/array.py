@@ -23,8 +23,12 @@ MULT_BITS, OFFSET_BITS, SHIFT_BITS = 18, 48, 6
 """Field widths of the multiplier-shift requantiser (5 to 8 output bits)."""
 MAX_THRESHOLD_BITS = 4
 """Up to this many output bits the requantiser compares with thresholds."""
+STREAM_BITS = (32, 64, 128, 256, 512)
+"""Possible widths of TDATA."""
 RESIDUAL = IntFormat(8)
 """Codes of a residual stream."""
+MAX_BRANCH_BITS = 3
+"""Most bits of the codes that the residual adder takes: its table lies in registers."""
 MAX_SIDE = 0xFFFF
 """Largest height and width of an image."""
 ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4}
@@ -52,6 +56,8 @@ class ArrayConfig:
         ingest: channel blocks written to the line buffer per cycle (one bank each).
         drain: channels requantised per cycle, times 4 pixels.
         engine: kind of the row engines, see `ENGINE_LATENCY`.
+        residual_stream_bits: TDATA width of the two streams of the residual adder; 0 leaves it out. It takes
+            unsigned output codes of up to 3 bits.
 
     Raises:
         ValueError: a field is out of range or two fields do not fit together.
@@ -71,6 +77,7 @@ class ArrayConfig:
     ingest: int = 2
     drain: int = 4
     engine: str = "portable"
+    residual_stream_bits: int = 0
 
     def __post_init__(self) -> None:
         limits = {
@@ -100,8 +107,17 @@ class ArrayConfig:
                 raise ValueError(f"{key} bits must be in 2..8, not {bits}")
         if not self.weight.signed:
             raise ValueError(f"weight must be a signed format, not {self.weight}")
-        if self.stream_bits not in (32, 64, 128, 256, 512):
+        if self.stream_bits not in STREAM_BITS:
             raise ValueError(f"stream_bits must be 32, 64, 128, 256 or 512, not {self.stream_bits!r}")
+        if self.residual_stream_bits not in (0, *STREAM_BITS):
+            raise ValueError(
+                f"residual_stream_bits must be 0, 32, 64, 128, 256 or 512, not {self.residual_stream_bits!r}"
+            )
+        if self.residual_stream_bits and (self.output.signed or self.output.bits > MAX_BRANCH_BITS):
+            raise ValueError(
+                f"the residual adder takes unsigned output codes of up to {MAX_BRANCH_BITS} bits, not "
+                f"{self.output}; leave residual_stream_bits at 0"
+            )
         if self.ingest not in (1, 2, 4, 8):
             raise ValueError(f"ingest must be 1, 2, 4 or 8, not {self.ingest!r}")
         if self.units % (GROUP * self.drain):

@@ -53,15 +53,21 @@ MODE_3X3 = 0x0001_0103
 """MODE of a 3x3 kernel with stride 1 and padding 1, see `mode_word`."""
 
 
-def mode_word(kernel: int, stride: int, padding: int, *, biased: bool = False) -> int:
-    """Value of MODE: kernel in bits 7:0, stride in 15:8, padding in 23:16, signed codes on unsigned inputs in 24."""
-    return kernel | stride << 8 | padding << 16 | biased << 24
+MODE_BIASED, MODE_RESIDUAL = 24, 25
+"""Bits of MODE: signed codes on unsigned inputs; the residual adder is in use."""
+
+
+def mode_word(
+    kernel: int, stride: int, padding: int, *, biased: bool = False, residual: bool = False
+) -> int:
+    """Value of MODE: kernel in bits 7:0, stride in 15:8, padding in 23:16, `MODE_BIASED`, `MODE_RESIDUAL`."""
+    return kernel | stride << 8 | padding << 16 | biased << MODE_BIASED | residual << MODE_RESIDUAL
 
 
 MODES: tuple[int, ...] = tuple(
     mode_word(kernel, stride, kernel // 2) for kernel in (1, 3) for stride in (1, 2)
 )
-"""What an array runs, without bit 24, which arrays of unsigned inputs take beside each of them."""
+"""What an array runs. `MODE_BIASED` is for arrays of unsigned inputs, `MODE_RESIDUAL` for those with the adder."""
 
 REGISTERS: tuple[Register, ...] = (
     Register("ID", 0x00, "RO", ID_VALUE, "ASCII 'MACR'"),
@@ -73,7 +79,7 @@ REGISTERS: tuple[Register, ...] = (
     Register("WIDTH", 0x18, "RW", 0, "image columns"),
     Register("C_IN", 0x1C, "RW", 0, "input channels"),
     Register("C_OUT", 0x20, "RW", 0, "output channels"),
-    Register("MODE", 0x24, "RW", MODE_3X3, "kernel 7:0, stride 15:8, padding 23:16, signed input codes 24"),
+    Register("MODE", 0x24, "RW", MODE_3X3, "kernel 7:0, stride 15:8, padding 23:16, signed input codes 24, residual sum 25"),
     Register("PARAM_WORDS", 0x28, "RW", 0, "words to load: per unit for weights, in all for the requantiser"),
     Register("CYCLES", 0x2C, "RO", 0, "first accepted input beat to last output beat, both counted"),
     Register("MAC_CYCLES", 0x30, "RO", 0, "cycles of CYCLES that issued a compute step"),
@@ -89,6 +95,11 @@ REGISTERS: tuple[Register, ...] = (
     Register("PARAM_BASE", 0x58, "RW", 0, "address of the first word to load"),
     Register("WEIGHT_BASE", 0x5C, "RW", 0, "address of the layer's first weight word in every unit"),
     Register("REQUANT_BASE", 0x60, "RW", 0, "address of the layer's first requantiser word"),
+    Register("RESIDUAL", 0x64, "RO", 0, "bits of a beat of the residual streams, 0 without a residual adder"),
+    Register("RESIDUAL_TABLE0", 0x68, "RW", 0, "what codes 0 to 3 add to the residual stream, a byte each"),
+    Register("RESIDUAL_TABLE1", 0x6C, "RW", 0, "what codes 4 to 7 add"),
+    Register("RESIDUAL_BOUNDS0", 0x70, "RW", 0, "next codes 1 to 4: the sums that they exceed, a byte each"),
+    Register("RESIDUAL_BOUNDS1", 0x74, "RW", 0, "next codes 5 to 7"),
 )
 
 LOAD_REGISTERS = frozenset({"PARAM_WORDS", "PARAM_BASE"})
