@@ -29,6 +29,7 @@ class FrameCheck(wiring.Component):
     Members:
         start: In, open for an image. shape: In.
         i: In stream, `Beat`. o: Out stream, data.
+        open: Out, beats of the image are still to come.
         fault, error: Out, strobe when TLAST comes early or is missing on the last beat.
     """
 
@@ -38,13 +39,14 @@ class FrameCheck(wiring.Component):
             "shape": In(LayerShape()),
             "i": In(stream.Signature(Beat(config.stream_bits))),
             "o": Out(stream.Signature(config.stream_bits)),
+            "open": Out(1),
             "fault": Out(1),
             "error": Out(Error, init=Error.NONE),
         })  # fmt: skip
 
     def elaborate(self, platform):
         m = Module()
-        is_open = Signal()
+        is_open = self.open
         beat, column, row = Signal(16), Signal(16), Signal(16)
         put, pixel_last, row_last, image_last = Signal(), Signal(), Signal(), Signal()
         m.d.comb += [
@@ -237,8 +239,12 @@ class Array(wiring.Component):
                 m.d.comb += verdict.eq(decoder.error)
             m.d.comb += start.eq(verdict == Error.NONE)
             m.d.sync += running.eq(start)
-        with m.If(running & self.o.valid & self.o.ready & self.o.payload.last):
-            m.d.sync += [running.eq(0), self.done.eq(1)]
+        # A 1x1 kernel with stride 2 may be through before the last input row, which it does not need, is.
+        delivered = Signal()
+        with m.If(self.o.valid & self.o.ready & self.o.payload.last):
+            m.d.sync += delivered.eq(1)
+        with m.If(running & delivered & ~frame.open):
+            m.d.sync += [running.eq(0), self.done.eq(1), delivered.eq(0)]
 
         # ---- the first error -----------------------------------------------------------------------------
         with m.If(commanded & idle):

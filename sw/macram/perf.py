@@ -70,7 +70,8 @@ def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
     to_result = DECISION_TO_RESULT + array.engine_latency
     drain_period = max(array.drain_cycles, to_result + 1)
     period = max(steps, drain_period)
-    sums = layer.out_height * groups * tiles
+    out_groups = layer.out_height * groups
+    sums = out_groups * tiles
     mac = sums * steps
     stall = (sums - 1) * (period - steps)
 
@@ -85,17 +86,34 @@ def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
         before = (GROUP - single) * pixel_out + single
         drain = max(flush, before) + to_output + pixel_out
 
+    compute = fill + mac + stall + drain
+    rows_used = min(layer.height, (layer.out_height - 1) * layer.stride + layer.kernel - layer.padding)
     limits = {
-        "compute": fill + mac + stall + drain,
-        "input": pixel_in * pixels + (1 if rows_above == 0 else groups + 1) * tiles * period + drain,
+        "input": pixel_in * rows_used * layer.width + (groups * rows_above + 1) * tiles * period + drain,
         "output": fill + (tiles - 1) * period + steps + to_output + pixels_out * pixel_out,
     }
-    group_cycles = {"input": GROUP * layer.stride**2 * pixel_in, "output": GROUP * pixel_out}
+    group_cycles = {"input": group_in * layer.stride * pixel_in, "output": GROUP * pixel_out}
     limited_by = "compute"
-    if max(group_cycles.values()) > tiles * period:
+    if late := _late_row_cycles(layer, array, period):
+        # The last row may lack the late one.
+        limited_by = "input"
+        limits["input"] = max(limits["input"], compute + late * (layer.height // 2 - 1))
+    elif out_groups > 1 and max(group_cycles.values()) > tiles * period:
         limited_by = max(group_cycles, key=lambda stream: group_cycles[stream])
-    total = max(limits["compute"], limits[limited_by])
+    total = max(compute, limits.get(limited_by, 0))
     return CycleEstimate(fill, mac, total - fill - mac - drain, drain, limited_by)
+
+
+def _late_row_cycles(layer: ConvSpec, array: ArrayConfig, period: int) -> int:
+    """Cycles for which an output row of a single group waits for its lowest input row.
+
+    With stride 2 that row takes the place of the uppermost row of the output row before, which is free once the
+    last sum there is through its first kernel row.
+    """
+    if (layer.kernel, layer.stride) != (3, 2) or array.groups(layer.out_width) > 1 or layer.height < 4:
+        return 0
+    written = layer.width * pixel_in_cycles(layer, array) + WRITTEN_TO_DECISION
+    return max(0, written - (period - array.steps(layer) // layer.kernel))
 
 
 def pixel_in_cycles(layer: ConvSpec, array: ArrayConfig) -> int:
