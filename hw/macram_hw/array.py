@@ -1,23 +1,26 @@
 """The array: line buffer, sequencer, 64 units, drain, loader and counters, without the AXI edge."""
 
-from amaranth.hdl import Module, Mux, Signal
+from amaranth.hdl import Cat, Module, Mux, Signal
 from amaranth.lib import stream, wiring
 from amaranth.lib.wiring import In, Out, connect
 
 from macram.spec import ArrayConfig, Error
 from macram_hw.drain import Drain
+from macram_hw.frame import FrameCheck
 from macram_hw.gearbox import Beat, EmitGearbox, IngestGearbox
 from macram_hw.line_buffer import LineBuffer
 from macram_hw.loader import Loader
+from macram_hw.residual import ResidualPath
 from macram_hw.sequencer import Sequencer
 from macram_hw.shape import LayerShape, ShapeDecoder
 from macram_hw.unit import PimUnit, control_delay
 
-__all__ = ["COUNTERS", "Array"]
+__all__ = ["COUNTERS", "RESIDUAL_REGISTERS", "Array"]
 
 _SETTINGS = (
     "height", "width", "c_in", "c_out", "mode", "weight_base", "requant_base", "words", "param_base",
 )  # fmt: skip
+RESIDUAL_REGISTERS = ("residual_table0", "residual_table1", "residual_bounds0", "residual_bounds1")
 COUNTERS = ("cycles", "mac_cycles", "fill_cycles", "input_stalls", "output_stalls", "drain_cycles")
 
 
@@ -39,11 +42,17 @@ class Array(wiring.Component):
         error: Out. The first error is kept until the next command that finds the array idle.
         cycles ... drain_cycles: Out, counters of the last run, see the register map.
         i, params: In streams, `Beat`. o: Out stream, `Beat`.
+        residual, sums: In and Out streams, `Beat`, and residual_table0 ... residual_bounds1: In, from the registers;
+            only with a residual adder.
     """
 
     def __init__(self, config: ArrayConfig):
         self._config = config
         beat = Beat(config.stream_bits)
+        adder = {}
+        if config.residual_stream_bits:
+            wide = stream.Signature(Beat(config.residual_stream_bits))
+            adder = {"residual": In(wide), "sums": Out(wide), **{name: In(32) for name in RESIDUAL_REGISTERS}}
         super().__init__({
             **{name: In(32) for name in _SETTINGS},
             "command": In(3),
@@ -55,6 +64,7 @@ class Array(wiring.Component):
             "i": In(stream.Signature(beat)),
             "params": In(stream.Signature(beat)),
             "o": Out(stream.Signature(beat)),
+            **adder,
         })  # fmt: skip
 
     def elaborate(self, platform):
@@ -75,16 +85,22 @@ class Array(wiring.Component):
 
         start = Signal()
         shape = Signal(LayerShape())
-        self._control(m, decoder, frame, loader, start, shape)
+        watched = [frame, loader]
+        if config.residual_stream_bits:
+            m.submodules.path = path = self._residual_path(m, start, shape)
+            watched.append(path)
+            connect(m, drain.o, path.i)
+            connect(m, path.o, emit.i)
+        else:
+            connect(m, drain.o, emit.i)
+        last_beat = self._last_beat(m, start, shape)
+        self._control(m, decoder, frame, loader, watched, start, last_beat)
+        m.d.comb += shape.eq(decoder.shape)
 
         # ---- image path ---------------------------------------------------------------------------------
         connect(m, wiring.flipped(self.i), frame.i)
         connect(m, frame.o, ingest.i)
         connect(m, ingest.o, lines.i)
-        if config.residual_stream_bits:
-            self._residual(m, start, shape, drain, emit)
-        else:
-            connect(m, drain.o, emit.i)
         connect(m, emit.o, wiring.flipped(self.o))
         connect(m, wiring.flipped(self.params), loader.i)
         m.d.comb += [
@@ -134,10 +150,43 @@ class Array(wiring.Component):
             if index + config.drain < config.units:
                 m.d.comb += unit.chain_i.eq(units[index + config.drain].chain_o)
 
-        self._counters(m, start, sequencer)
+        self._counters(m, start, sequencer, last_beat)
         return m
 
-    def _control(self, m, decoder, frame, loader, start, shape):
+    def _residual_path(self, m, start, shape):
+        """The adder between drain and output, with its streams and registers."""
+        path = ResidualPath(self._config)
+        connect(m, wiring.flipped(self.residual), path.residual)
+        connect(m, path.sums, wiring.flipped(self.sums))
+        table, bounds = path.tables.table.as_value(), path.tables.bounds.as_value()
+        m.d.comb += [
+            path.start.eq(start),
+            path.shape.eq(shape),
+            table.eq(Cat(self.residual_table0, self.residual_table1)),
+            bounds.eq(Cat(self.residual_bounds0, self.residual_bounds1)),
+        ]
+        return path
+
+    def _last_beat(self, m, start, shape):
+        """Strobe: the last beat of the image leaves, on whichever output is the last to be done."""
+        outputs = [(self.o, 1)]
+        if self._config.residual_stream_bits:
+            outputs.append((self.sums, shape.residual))
+        leaving, gone = [], []
+        for index, (port, used) in enumerate(outputs):
+            beat, before = Signal(name=f"last_beat{index}"), Signal(name=f"last_beat_gone{index}")
+            m.d.comb += beat.eq(port.valid & port.ready & port.payload.last)
+            with m.If(start):
+                m.d.sync += before.eq(~used)
+            with m.Elif(beat):
+                m.d.sync += before.eq(1)
+            leaving.append(beat)
+            gone.append(beat | before)
+        last_beat = Signal()
+        m.d.comb += last_beat.eq(Cat(*leaving).any() & Cat(*gone).all())
+        return last_beat
+
+    def _control(self, m, decoder, frame, loader, watched, start, last_beat):
         """Commands, what they may not do, and how a run ends."""
         config = self._config
         for name in ("height", "width", "c_in", "c_out", "mode", "weight_base", "requant_base"):
@@ -147,7 +196,6 @@ class Array(wiring.Component):
         m.d.comb += [
             loader.words.eq(self.words),
             loader.base.eq(self.param_base),
-            shape.eq(decoder.shape),
             self.busy.eq(running | (wait != 0)),
             self.loading.eq(loader.busy),
         ]
@@ -193,8 +241,12 @@ class Array(wiring.Component):
                 m.d.comb += verdict.eq(decoder.error)
             m.d.comb += start.eq(verdict == Error.NONE)
             m.d.sync += running.eq(start)
-        with m.If(running & self.o.valid & self.o.ready & self.o.payload.last):
-            m.d.sync += [running.eq(0), self.done.eq(1)]
+        # A 1x1 kernel with stride 2 may be through before the last input row, which it does not need, is.
+        delivered = Signal()
+        with m.If(last_beat):
+            m.d.sync += delivered.eq(1)
+        with m.If(running & delivered & ~frame.open):
+            m.d.sync += [running.eq(0), self.done.eq(1), delivered.eq(0)]
 
         # ---- the first error -----------------------------------------------------------------------------
         with m.If(commanded & idle):
@@ -204,18 +256,16 @@ class Array(wiring.Component):
                 m.d.sync += self.error.eq(refusal)
             with m.Elif(verdict != Error.NONE):
                 m.d.sync += self.error.eq(verdict)
-            with m.Elif(frame.fault):
-                m.d.sync += self.error.eq(frame.error)
-            with m.Elif(loader.fault):
-                m.d.sync += self.error.eq(loader.error)
+            for block in watched:
+                with m.Elif(block.fault):
+                    m.d.sync += self.error.eq(block.error)
 
-    def _counters(self, m, start, sequencer):
+    def _counters(self, m, start, sequencer, last_beat):
         """Count every cycle from the first accepted input beat to the last output beat under one cause."""
         seen, issued, ended = Signal(), Signal(), Signal()
-        counting, first_beat, last_beat = Signal(), Signal(), Signal()
+        counting, first_beat = Signal(), Signal()
         m.d.comb += [
             first_beat.eq(self.i.valid & self.i.ready),
-            last_beat.eq(self.o.valid & self.o.ready & self.o.payload.last),
             counting.eq((first_beat | seen) & ~ended),
         ]
         with m.If(first_beat):

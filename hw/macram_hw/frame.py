@@ -19,6 +19,7 @@ class FrameCheck(wiring.Component):
         start: In, open for an image.
         beats, width, height: In, constant during a run: beats per pixel, columns, rows.
         i: In stream, `Beat`. o: Out stream, data.
+        open: Out, beats of the image are still to come.
         fault, error: Out, strobe when TLAST comes early or is missing on the last beat.
     """
 
@@ -28,13 +29,14 @@ class FrameCheck(wiring.Component):
             **{name: In(16) for name in ("beats", "width", "height")},
             "i": In(stream.Signature(Beat(beat_bits))),
             "o": Out(stream.Signature(beat_bits)),
+            "open": Out(1),
             "fault": Out(1),
             "error": Out(Error, init=Error.NONE),
         })  # fmt: skip
 
     def elaborate(self, platform):
         m = Module()
-        is_open = Signal()
+        is_open = self.open
         beat, column, row = Signal(16), Signal(16), Signal(16)
         put, pixel_last, row_last, image_last = Signal(), Signal(), Signal(), Signal()
         m.d.comb += [

@@ -6,7 +6,7 @@ from amaranth.lib.wiring import In, Out
 
 from macram.spec import ArrayConfig, Control, Error
 from macram.spec.registers import ADDRESS_BITS
-from macram_hw.array import COUNTERS, Array
+from macram_hw.array import COUNTERS, RESIDUAL_REGISTERS, Array
 from macram_hw.axi_lite import AxiLite, AxiLiteRegisters
 
 __all__ = ["Top"]
@@ -21,12 +21,13 @@ class Top(wiring.Component):
 
     Members: ``aclk``, ``aresetn``, ``s_axi_*`` (registers), ``s_axis_*`` (image), ``s_axis_param_*``
     (weights and
-    requantiser parameters), ``m_axis_*`` (codes).
+    requantiser parameters), ``m_axis_*`` (codes). With a residual adder also ``s_axis_residual_*`` and
+    ``m_axis_residual_*`` (8-bit codes of the residual stream).
     """
 
     def __init__(self, config: ArrayConfig):
         self._config = config
-        width = config.stream_bits
+        width, residual = config.stream_bits, config.residual_stream_bits
         self._registers = AxiLite(ADDRESS_BITS).flip().members
         super().__init__({
             "aclk": In(1),
@@ -35,6 +36,8 @@ class Top(wiring.Component):
             **_stream_members("s_axis", In, width),
             **_stream_members("s_axis_param", In, width),
             **_stream_members("m_axis", Out, width),
+            **(_stream_members("s_axis_residual", In, residual) if residual else {}),
+            **(_stream_members("m_axis_residual", Out, residual) if residual else {}),
         })  # fmt: skip
 
     def elaborate(self, platform):
@@ -43,7 +46,8 @@ class Top(wiring.Component):
         m.domains.sync = sync = ClockDomain()
         m.d.comb += [sync.clk.eq(self.aclk), sync.rst.eq(~self.aresetn)]
 
-        m.submodules.registers = registers = AxiLiteRegisters()
+        absent = () if config.residual_stream_bits else RESIDUAL_REGISTERS
+        m.submodules.registers = registers = AxiLiteRegisters(absent)
         soft_reset = Signal()
         array = Array(config)
         m.submodules.array = ResetInserter(soft_reset)(array)
@@ -68,19 +72,26 @@ class Top(wiring.Component):
             *(getattr(registers, name).eq(value) for name, value in capabilities(config).items()),
         ]
 
-        for prefix, stream in (("s_axis", array.i), ("s_axis_param", array.params)):
+        inputs = [("s_axis", array.i), ("s_axis_param", array.params)]
+        outputs = [("m_axis", array.o)]
+        if config.residual_stream_bits:
+            inputs.append(("s_axis_residual", array.residual))
+            outputs.append(("m_axis_residual", array.sums))
+            m.d.comb += [getattr(array, n).eq(getattr(registers, n)) for n in RESIDUAL_REGISTERS]
+        for prefix, stream in inputs:
             m.d.comb += [
                 stream.payload.data.eq(getattr(self, f"{prefix}_tdata")),
                 stream.payload.last.eq(getattr(self, f"{prefix}_tlast")),
                 stream.valid.eq(getattr(self, f"{prefix}_tvalid")),
                 getattr(self, f"{prefix}_tready").eq(stream.ready),
             ]
-        m.d.comb += [
-            self.m_axis_tdata.eq(array.o.payload.data),
-            self.m_axis_tlast.eq(array.o.payload.last),
-            self.m_axis_tvalid.eq(array.o.valid),
-            array.o.ready.eq(self.m_axis_tready),
-        ]
+        for prefix, stream in outputs:
+            m.d.comb += [
+                getattr(self, f"{prefix}_tdata").eq(stream.payload.data),
+                getattr(self, f"{prefix}_tlast").eq(stream.payload.last),
+                getattr(self, f"{prefix}_tvalid").eq(stream.valid),
+                stream.ready.eq(getattr(self, f"{prefix}_tready")),
+            ]
         return m
 
 
@@ -99,6 +110,7 @@ def capabilities(config: ArrayConfig) -> dict[str, Const]:
         "weight_depth": config.weight_depth,
         "row_words": config.row_words,
         "max_channels": config.max_c_in | config.max_c_out << 16,
+        "residual": config.residual_stream_bits,
     }
     return {name: Const(value, 32) for name, value in values.items()}
 

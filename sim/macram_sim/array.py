@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 import macram.spec
 import macram_hw
+from macram.golden import ResidualRule
 from macram.pack import PackedLayer
 from macram.spec import ArrayConfig
 from macram_sim.build import Build, SimulationError, build, build_root, locked, waves_wanted
@@ -40,6 +41,7 @@ class SimulationResult:
         register_reads: registers read during the runs, on top of what the driver needs.
         wall_seconds: time of the simulation, start of the simulator included.
         build_seconds: time of export and build, little when both were cached.
+        sums: of the residual adder, as ``codes``; None without a residual stream.
         seed: of every random choice.
         waves: waveform file, or None.
     """
@@ -51,6 +53,7 @@ class SimulationResult:
     register_reads: int
     wall_seconds: float
     build_seconds: float
+    sums: NDArray[np.int64] | None
     seed: int
     waves: Path | None
 
@@ -59,6 +62,7 @@ def simulate(
     packed: PackedLayer,
     input_codes: NDArray[np.integer],
     *,
+    residual: tuple[ResidualRule, NDArray[np.integer]] | None = None,
     gaps: str = "none",
     stalls: str = "none",
     load: str = "file",
@@ -75,6 +79,7 @@ def simulate(
     Args:
         packed: the layer and its array.
         input_codes: ``[c_in, height, width]``.
+        residual: rule of the residual adder and the stream to add to, codes ``[c_out, out_height, out_width]``.
         gaps: idle cycles of the sources, one of `macram_sim.streams.PATTERNS`.
         stalls: idle cycles of the sink, likewise.
         load: ``file``: the memories start with the layer in them; ``stream``: they start at zero and the
@@ -107,8 +112,12 @@ def simulate(
     packed.write(folder / "packed")
     np.save(folder / "input.npy", input_codes.astype(np.int64))
     options = {"gaps": gaps, "stalls": stalls, "load": load, "seed": seed, "runs": runs, "snoop": snoop}
+    options["residual"] = residual is not None
+    if residual is not None:
+        rule, stream = residual
+        np.savez(folder / "residual.npz", table=rule.table, bounds=rule.bounds, stream=stream)
     (folder / "job.json").write_text(json.dumps(options, indent=2) + "\n")
-    for stale in ("output.npy", "result.json"):
+    for stale in ("output.npy", "sums.npy", "result.json"):
         (folder / stale).unlink(missing_ok=True)
     done = run(
         model,
@@ -122,6 +131,7 @@ def simulate(
         timeout=timeout,
     )
     codes = np.load(folder / "output.npy")
+    sums = np.load(folder / "sums.npy") if residual is not None else None
     result = json.loads((folder / "result.json").read_text())
     if not keep and not waves_wanted(waves):
         shutil.rmtree(folder, ignore_errors=True)
@@ -133,6 +143,7 @@ def simulate(
         register_reads=result["register_reads"],
         wall_seconds=done.seconds,
         build_seconds=build_seconds,
+        sums=sums,
         seed=seed,
         waves=done.waves,
     )

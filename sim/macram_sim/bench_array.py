@@ -1,7 +1,8 @@
 """The cocotb bench of the whole array: runs one job folder, which `macram_sim.array` writes and reads.
 
-The folder holds ``job.json``, ``input.npy`` ``[c_in, height, width]`` and the packed layer; the bench adds
-``output.npy`` ``[c_out, out_height, out_width]`` and ``result.json``.
+The folder holds ``job.json``, ``input.npy`` ``[c_in, height, width]``, the packed layer and ``residual.npz`` if the
+job has a residual sum; the bench adds ``output.npy`` and, with a residual sum, ``sums.npy``
+``[c_out, out_height, out_width]``, and ``result.json``.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles
 
 from macram.driver import ArrayDriver
+from macram.golden import ResidualRule
 from macram.pack import read_packed
 from macram.spec import BY_NAME, REGISTERS
 from macram_sim.transport import PERIOD_NS, CocotbTransport
@@ -74,13 +76,20 @@ async def run_job(dut: Any) -> None:
     await driver.identify()
     if job["load"] == "stream":
         await driver.load(packed)
-    await driver.configure(packed.spec)
+    rule, stream = None, None
+    if job["residual"]:
+        with np.load(folder / "residual.npz") as parts:
+            rule = ResidualRule(packed.spec.output, parts["table"], parts["bounds"])
+            stream = parts["stream"]
+    await driver.configure(packed.spec, rule)
     counts = {"register_reads": 0}
     snooper = cocotb.start_soon(snoop(dut.aclk, transport, job["seed"], counts)) if job["snoop"] else None
-    results = [await driver.run(image) for _ in range(job["runs"])]
+    results = [await driver.run(image, stream) for _ in range(job["runs"])]
     if snooper is not None:
         snooper.cancel()
     np.save(folder / "output.npy", np.stack([result.codes for result in results]))
+    if stream is not None:
+        np.save(folder / "sums.npy", np.asarray(results[-1].sums))
     (folder / "result.json").write_text(
         json.dumps({"counters": [result.counters for result in results], **counts})
     )

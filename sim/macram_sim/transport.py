@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable
 from typing import Any, NoReturn
 
+import numpy as np
 from cocotb.triggers import Lock, RisingEdge, Timer, gather, select
 
 from macram.driver import Beats, BusError, StreamTimeout
@@ -114,6 +115,13 @@ class CocotbTransport:
         self._params = AxisSource(dut, "s_axis_param", pauses(gaps, random.Random(f"param {seed}")))
         self._output = AxisSink(dut, "m_axis", pauses(stalls, random.Random(f"output {seed}")))
         self._progress = progress
+        self._streams: list[AxisSource | AxisSink] = [self._image, self._params, self._output]
+        if hasattr(dut, "s_axis_residual_tdata"):
+            self._residual = AxisSource(
+                dut, "s_axis_residual", pauses(gaps, random.Random(f"residual {seed}"))
+            )
+            self._sums = AxisSink(dut, "m_axis_residual", pauses(stalls, random.Random(f"sums {seed}")))
+            self._streams += [self._residual, self._sums]
 
     async def reset(self, cycles: int = 4) -> None:
         """Hold ``aresetn`` low, then high."""
@@ -125,7 +133,7 @@ class CocotbTransport:
 
     def quiet(self) -> None:
         """Offer and take nothing, as after an image that was given up."""
-        for stream in (self._image, self._params, self._output):
+        for stream in self._streams:
             stream.quiet()
 
     async def read(self, offset: int) -> int:
@@ -140,21 +148,23 @@ class CocotbTransport:
         """Send beats on the parameter stream."""
         await select(self._params.send(beats), self._watchdog(0))
 
-    async def run_stream(self, beats: Beats, beats_out: int) -> Beats:
-        """Send an image and return the beats that come back meanwhile."""
-        both = gather(self._output.receive(beats_out), self._image.send(beats))
-        _, result = await select(both, self._watchdog(beats_out))
-        return result[0]
+    async def run_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> list[Beats]:
+        """Send an image, and with it a residual stream, and return the beats that come back meanwhile."""
+        receiving, sending = [self._output.receive(beats_out)], [self._image.send(beats)]
+        if residual is not None:
+            receiving.append(self._sums.receive(len(residual)))
+            sending.append(self._residual.send(residual))
+        _, result = await select(gather(*receiving, *sending), self._watchdog(beats_out))
+        return [np.asarray(beats) for beats in result[: len(receiving)]]
 
     async def _watchdog(self, expected: int) -> NoReturn:
         """Report progress, and raise once nothing has moved for `QUIET_CYCLES`."""
-        streams = (self._image, self._params, self._output)
         start = self._output.moved
         before, quiet = -1, 0
         look = Timer(_LOOK_CYCLES * PERIOD_NS, "ns")
         while quiet < QUIET_CYCLES:
             await look
-            moved = sum(stream.moved for stream in streams)
+            moved = sum(stream.moved for stream in self._streams)
             quiet = quiet + _LOOK_CYCLES if moved == before else 0
             before = moved
             if self._progress is not None and expected:

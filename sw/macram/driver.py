@@ -13,8 +13,19 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from macram.golden import ResidualRule
 from macram.pack import PackedLayer
-from macram.spec import BY_NAME, ArrayConfig, Control, ConvSpec, Error, IntFormat, Status, StreamLayout
+from macram.spec import (
+    BY_NAME,
+    RESIDUAL,
+    ArrayConfig,
+    Control,
+    ConvSpec,
+    Error,
+    IntFormat,
+    Status,
+    StreamLayout,
+)
 from macram.spec.registers import ID_VALUE, VERSION_VALUE, mode_word
 
 Beats = NDArray[np.uint8]
@@ -58,11 +69,13 @@ class Transport(Protocol):
     async def send_params(self, beats: Beats) -> None:
         """Send beats on the parameter stream, TLAST on the last; `StreamTimeout` if they are not taken."""
 
-    async def run_stream(self, beats: Beats, beats_out: int) -> Beats:
+    async def run_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> list[Beats]:
         """Send an image, TLAST on its last beat, and return the ``beats_out`` beats that come back meanwhile.
 
+        With ``residual``, those beats go to the residual adder, and as many come back from it, second in the list.
+
         Raises:
-            StreamTimeout: neither stream moves any more.
+            StreamTimeout: no stream moves any more.
         """
 
 
@@ -73,10 +86,12 @@ class RunResult:
     Attributes:
         codes: output codes, int64 ``[c_out, out_height, out_width]``.
         counters: cycle counters by the names of `COUNTERS`.
+        sums: the residual stream with this layer's branch added, int64 of the same shape; None without it.
     """
 
     codes: NDArray[np.int64]
     counters: dict[str, int]
+    sums: NDArray[np.int64] | None = None
 
 
 class ArrayDriver:
@@ -91,6 +106,7 @@ class ArrayDriver:
         self._transport = transport
         self._array = array
         self._spec: ConvSpec | None = None
+        self._rule: ResidualRule | None = None
 
     async def identify(self) -> None:
         """Check that the array is there and was built with this driver's geometry.
@@ -137,13 +153,19 @@ class ArrayDriver:
                 raise
             await self._wait_idle()
 
-    async def configure(self, spec: ConvSpec) -> None:
-        """Set the shape of the layer to run.
+    async def configure(self, spec: ConvSpec, rule: ResidualRule | None = None) -> None:
+        """Set the shape of the layer to run, and the rule of the residual sum behind it if there is one.
 
         Raises:
-            ValueError: the array does not admit the layer; nothing is written.
+            ValueError: the array does not admit the layer or has no residual adder; nothing is written.
         """
         self._array.check_admits(spec)
+        if rule is not None and not self._array.residual_stream_bits:
+            raise ValueError(
+                f"array {self._array.name!r} has no residual adder; build one with residual_stream_bits"
+            )
+        if rule is not None and rule.branch != spec.output:
+            raise ValueError(f"the residual rule takes {rule.branch} codes, the layer gives {spec.output}")
         for name, value in (
             ("HEIGHT", spec.height),
             ("WIDTH", spec.width),
@@ -151,14 +173,27 @@ class ArrayDriver:
             ("C_OUT", spec.c_out),
             (
                 "MODE",
-                mode_word(spec.kernel, spec.stride, spec.padding, biased=self._array.biased(spec)),
+                mode_word(
+                    spec.kernel,
+                    spec.stride,
+                    spec.padding,
+                    biased=self._array.biased(spec),
+                    residual=rule is not None,
+                ),
             ),
+            *(rule.registers() if rule is not None else ()),
         ):
             await self._write(name, value)
-        self._spec = spec
+        self._spec, self._rule = spec, rule
 
-    async def run(self, input_codes: NDArray[np.integer]) -> RunResult:
+    async def run(
+        self, input_codes: NDArray[np.integer], residual: NDArray[np.integer] | None = None
+    ) -> RunResult:
         """Run one image ``[c_in, height, width]`` through the configured layer.
+
+        Args:
+            input_codes: the image.
+            residual: the stream to add to, `RESIDUAL` codes ``[c_out, out_height, out_width]``; goes with a rule.
 
         Raises:
             ValueError: `configure` was not called, or the image has another shape or codes out of range.
@@ -172,17 +207,30 @@ class ArrayDriver:
                 f"the image must be [{spec.c_in}, {spec.height}, {spec.width}], not {list(input_codes.shape)}"
             )
         beats = StreamLayout(spec.c_in, spec.input, array.stream_bits).pack(input_codes)
+        if (residual is None) != (self._rule is None):
+            raise ValueError("a residual stream and a residual rule go together; give both or none")
+        wide = None
+        if residual is not None:
+            # As many beats come back as go in: both streams are 8-bit codes of the output's shape.
+            shape = (spec.c_out, spec.out_height, spec.out_width)
+            if residual.shape != shape:
+                raise ValueError(f"the residual stream must be {list(shape)}, not {list(residual.shape)}")
+            wide = StreamLayout(spec.c_out, RESIDUAL, array.residual_stream_bits)
+        stream = wide.pack(residual) if wide is not None and residual is not None else None
         output = StreamLayout(spec.c_out, array.output, array.stream_bits)
         beats_out = spec.out_height * spec.out_width * output.beats_per_pixel
         await self._write("CONTROL", Control.START)
         try:
-            received = await self._transport.run_stream(beats, beats_out)
+            received, *sums = await self._transport.run_stream(beats, beats_out, stream)
         except StreamTimeout:
             await self._raise_error()
             raise
         await self._wait_idle()
         counters = {name: await self._read(name.upper()) for name in COUNTERS}
-        return RunResult(output.unpack(received, spec.out_height, spec.out_width), counters)
+        size = spec.out_height, spec.out_width
+        return RunResult(
+            output.unpack(received, *size), counters, None if wide is None else wide.unpack(sums[0], *size)
+        )
 
     async def _read(self, name: str) -> int:
         return await self._transport.read(BY_NAME[name].offset)
@@ -225,4 +273,5 @@ def _identity(array: ArrayConfig) -> dict[str, int]:
         "WEIGHT_DEPTH": array.weight_depth,
         "ROW_WORDS": array.row_words,
         "MAX_CHANNELS": array.max_c_in | array.max_c_out << 16,
+        "RESIDUAL": array.residual_stream_bits,
     }

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from macram.spec import GROUP, ArrayConfig, ConvSpec, StreamLayout, ceil_div
+from macram.spec import GROUP, RESIDUAL, ArrayConfig, ConvSpec, IntFormat, StreamLayout, ceil_div
 
 DECISION_TO_RESULT = 5
 """Cycles from the decision of a compute step to its sum in the result registers, without the row engine's."""
 RESULT_TO_OUTPUT = 5
 """Cycles from the last drained word to the first word in the output gearbox."""
+RESIDUAL_LATENCY = 2
+"""Cycles through the residual adder, in use or not."""
 WRITTEN_TO_DECISION = 2
 """Cycles from the last needed pixel in the line buffer to the first compute step."""
 
@@ -49,8 +51,13 @@ class CycleEstimate:
         return self.limited_by == "compute"
 
 
-def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
+def estimate(layer: ConvSpec, array: ArrayConfig, *, residual: bool = False) -> CycleEstimate:
     """Cycles of ``layer`` on ``array``; 197,205 for the reference layer on the reference array.
+
+    Args:
+        layer: what is run.
+        array: on what.
+        residual: with a residual sum behind it.
 
     Raises:
         ValueError: the array does not admit the layer.
@@ -61,6 +68,8 @@ def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
     tail = layer.out_width % GROUP
     pixels, pixels_out = layer.height * layer.width, layer.out_height * layer.out_width
     pixel_in, pixel_out = pixel_in_cycles(layer, array), pixel_out_cycles(layer, array)
+    if residual:
+        pixel_out = max(pixel_out, pixel_residual_cycles(layer, array))
     group_in = min(GROUP * layer.stride, layer.width)
 
     rows_above = min(layer.height - 1, layer.padding)
@@ -70,11 +79,13 @@ def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
     to_result = DECISION_TO_RESULT + array.engine_latency
     drain_period = max(array.drain_cycles, to_result + 1)
     period = max(steps, drain_period)
-    sums = layer.out_height * groups * tiles
+    out_groups = layer.out_height * groups
+    sums = out_groups * tiles
     mac = sums * steps
     stall = (sums - 1) * (period - steps)
 
-    to_output = to_result + array.drain_cycles + RESULT_TO_OUTPUT
+    adder = RESIDUAL_LATENCY if array.residual_stream_bits else 0
+    to_output = to_result + array.drain_cycles + RESULT_TO_OUTPUT + adder
     if tail:
         # The last group's reading: the first of its slots is skipped if the row has no group before it.
         drain = to_output + (groups == 1) + (tail + (groups > 1)) * pixel_out
@@ -85,17 +96,34 @@ def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
         before = (GROUP - single) * pixel_out + single
         drain = max(flush, before) + to_output + pixel_out
 
+    compute = fill + mac + stall + drain
+    rows_used = min(layer.height, (layer.out_height - 1) * layer.stride + layer.kernel - layer.padding)
     limits = {
-        "compute": fill + mac + stall + drain,
-        "input": pixel_in * pixels + (1 if rows_above == 0 else groups + 1) * tiles * period + drain,
+        "input": pixel_in * rows_used * layer.width + (groups * rows_above + 1) * tiles * period + drain,
         "output": fill + (tiles - 1) * period + steps + to_output + pixels_out * pixel_out,
     }
-    group_cycles = {"input": GROUP * layer.stride**2 * pixel_in, "output": GROUP * pixel_out}
+    group_cycles = {"input": group_in * layer.stride * pixel_in, "output": GROUP * pixel_out}
     limited_by = "compute"
-    if max(group_cycles.values()) > tiles * period:
+    if late := _late_row_cycles(layer, array, period):
+        # The last row may lack the late one.
+        limited_by = "input"
+        limits["input"] = max(limits["input"], compute + late * (layer.height // 2 - 1))
+    elif out_groups > 1 and max(group_cycles.values()) > tiles * period:
         limited_by = max(group_cycles, key=lambda stream: group_cycles[stream])
-    total = max(limits["compute"], limits[limited_by])
+    total = max(compute, limits.get(limited_by, 0))
     return CycleEstimate(fill, mac, total - fill - mac - drain, drain, limited_by)
+
+
+def _late_row_cycles(layer: ConvSpec, array: ArrayConfig, period: int) -> int:
+    """Cycles for which an output row of a single group waits for its lowest input row.
+
+    With stride 2 that row takes the place of the uppermost row of the output row before, which is free once the
+    last sum there is through its first kernel row.
+    """
+    if (layer.kernel, layer.stride) != (3, 2) or array.groups(layer.out_width) > 1 or layer.height < 4:
+        return 0
+    written = layer.width * pixel_in_cycles(layer, array) + WRITTEN_TO_DECISION
+    return max(0, written - (period - array.steps(layer) // layer.kernel))
 
 
 def pixel_in_cycles(layer: ConvSpec, array: ArrayConfig) -> int:
@@ -108,8 +136,21 @@ def pixel_in_cycles(layer: ConvSpec, array: ArrayConfig) -> int:
 
 def pixel_out_cycles(layer: ConvSpec, array: ArrayConfig) -> int:
     """Cycles per output pixel: beat b leaves one cycle after the word that completes it, one per cycle."""
-    beats = StreamLayout(layer.c_out, layer.output, array.stream_bits).beats_per_pixel
+    return _emit_cycles(layer, array, layer.output, array.stream_bits)
+
+
+def pixel_residual_cycles(layer: ConvSpec, array: ArrayConfig) -> int:
+    """Cycles per output pixel on the slower of the residual adder's streams."""
+    beat_bits = array.residual_stream_bits
+    beats = StreamLayout(layer.c_out, RESIDUAL, beat_bits).beats_per_pixel
     words = ceil_div(layer.c_out, array.output_word_channels)
-    word_bits = array.output_word_channels * layer.output.bits
-    completing = [ceil_div((beat + 1) * array.stream_bits, word_bits) for beat in range(beats - 1)] + [words]
+    beats_of_first_word = min(beats, ceil_div(array.output_word_channels * RESIDUAL.bits, beat_bits))
+    return max(beats, words - 1 + beats_of_first_word, _emit_cycles(layer, array, RESIDUAL, beat_bits))
+
+
+def _emit_cycles(layer: ConvSpec, array: ArrayConfig, form: IntFormat, beat_bits: int) -> int:
+    beats = StreamLayout(layer.c_out, form, beat_bits).beats_per_pixel
+    words = ceil_div(layer.c_out, array.output_word_channels)
+    word_bits = array.output_word_channels * form.bits
+    completing = [ceil_div((beat + 1) * beat_bits, word_bits) for beat in range(beats - 1)] + [words]
     return max(word + beats - 1 - beat for beat, word in enumerate(completing))

@@ -61,6 +61,15 @@ class ResidualRule:
         below = np.searchsorted(following, steps) - 1
         return cls(branch, np.minimum(addend, RESIDUAL.hi), below.astype(np.int64))
 
+    def registers(self) -> list[tuple[str, int]]:
+        """The array's registers that hold this rule, by name, with their values."""
+        values = []
+        for name, entries in (("RESIDUAL_TABLE", self.table), ("RESIDUAL_BOUNDS", self.bounds)):
+            for part in range(2):
+                four = (int(entry) << 8 * at for at, entry in enumerate(entries[4 * part : 4 * part + 4]))
+                values.append((f"{name}{part}", sum(four)))
+        return values
+
     def apply(self, branch: NDArray[np.integer], stream: NDArray[np.integer]) -> tuple[Int64, Int64]:
         """Sums and the next layer's codes, of the shape of ``branch``.
 

@@ -57,9 +57,7 @@ MODE_BIASED, MODE_RESIDUAL = 24, 25
 """Bits of MODE: signed codes on unsigned inputs; the residual adder is in use."""
 
 
-def mode_word(
-    kernel: int, stride: int, padding: int, *, biased: bool = False, residual: bool = False
-) -> int:
+def mode_word(kernel: int, stride: int, padding: int, *, biased: bool = False, residual: bool = False) -> int:
     """Value of MODE: kernel in bits 7:0, stride in 15:8, padding in 23:16, `MODE_BIASED`, `MODE_RESIDUAL`."""
     return kernel | stride << 8 | padding << 16 | biased << MODE_BIASED | residual << MODE_RESIDUAL
 
@@ -79,7 +77,13 @@ REGISTERS: tuple[Register, ...] = (
     Register("WIDTH", 0x18, "RW", 0, "image columns"),
     Register("C_IN", 0x1C, "RW", 0, "input channels"),
     Register("C_OUT", 0x20, "RW", 0, "output channels"),
-    Register("MODE", 0x24, "RW", MODE_3X3, "kernel 7:0, stride 15:8, padding 23:16, signed input codes 24, residual sum 25"),
+    Register(
+        "MODE",
+        0x24,
+        "RW",
+        MODE_3X3,
+        "kernel 7:0, stride 15:8, padding 23:16, signed input codes 24, residual sum 25",
+    ),
     Register("PARAM_WORDS", 0x28, "RW", 0, "words to load: per unit for weights, in all for the requantiser"),
     Register("CYCLES", 0x2C, "RO", 0, "first accepted input beat to last output beat, both counted"),
     Register("MAC_CYCLES", 0x30, "RO", 0, "cycles of CYCLES that issued a compute step"),
