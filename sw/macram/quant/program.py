@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from macram.golden import ShiftRequant, ThresholdRequant, conv2d
+from macram.golden import ResidualRule, ShiftRequant, ThresholdRequant, conv2d
 from macram.spec import ConvSpec, IntFormat
 
 Codes = NDArray[np.int64]
@@ -124,6 +124,22 @@ class Program:
             if op.name == name and isinstance(op, ConvOp):
                 return op
         raise ValueError(f"the program has no convolution {name!r}")
+
+    def residual_rule(self, name: str) -> ResidualRule:
+        """How the array makes the residual sum ``name`` and the input of the first layer that reads it.
+
+        Raises:
+            ValueError: there is no such sum, no layer reads it, or it is none of the backbone's.
+        """
+        for op in self.ops:
+            if op.name == name and isinstance(op, AddOp) and not op.doubled:
+                tables = [
+                    after.table for after in self.ops if isinstance(after, LookupOp) and after.source == name
+                ]
+                if not tables:
+                    raise ValueError(f"no layer of the program reads {name!r}")
+                return ResidualRule.from_tables(self.conv(op.branch).spec.output, op.table, tables[0])
+        raise ValueError(f"the program has no residual sum {name!r}")
 
     def check_input(self, codes: NDArray[np.integer]) -> None:
         """Refuses anything but integer codes of the input's shape and format.
