@@ -12,8 +12,7 @@ from macram import golden, perf
 from macram.golden import ResidualRule
 from macram.pack import pack_layer
 from macram.spec import ArrayConfig, ConvSpec
-from macram_sim import runner
-from macram_sim.array import build_array, simulate
+from macram_sim.array import simulate
 from macram_sim.runner import choose_seed
 
 TINY = ArrayConfig.from_toml(Path(__file__).parents[2] / "configs" / "tiny.toml")

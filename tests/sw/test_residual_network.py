@@ -8,6 +8,7 @@ import torch
 
 from macram.model import SpaceNet, spacenet_config
 from macram.quant import (
+    Precision,
     calibrate_batch_norm,
     calibrate_steps,
     host_codes,
@@ -24,7 +25,7 @@ def lowered():
     images = torch.randn((3, 3, 64, 96), generator=generator)
     net = SpaceNet(spacenet_config("tiny", "deployable"), generator)
     calibrate_batch_norm(net, images)
-    net = quantise(net, "III")
+    net = quantise(net, "III", Precision())
     calibrate_steps(net, images)
     program = lower_network(net, 64, 96)
     return program, run_golden(program, host_codes(net.backbone, images[0]).numpy())
