@@ -28,6 +28,8 @@ LAYERS = (
     {"macram.pack"},
     {"macram.driver"},
     {"macram.pynq_transport", "macram_sim"},
+    {"macram.board"},
+    {"macram.export"},
     {"macram.data"},
     {"macram.pose"},
     {"macram.model"},

@@ -263,9 +263,7 @@ def test_memory_that_a_dma_may_still_write_is_kept():
     with pytest.raises(StreamTimeout, match="input stream did not finish"):
         run_sync(driver.run(case.input))
     assert fake.buffers == 2, "both channels are still at it"
-    with pytest.raises(
-        StreamTimeout, match=r"input stream still holds a transfer .* load the overlay again"
-    ):
+    with pytest.raises(StreamTimeout, match=r"input stream still holds a transfer .* load the overlay again"):
         run_sync(driver.run(case.input))
     assert fake.buffers == 2
     fake.hang = False
