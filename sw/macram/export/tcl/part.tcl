@@ -8,7 +8,7 @@ proc choose_part {} {
             return $part
         }
     }
-    error "this Vivado knows none of $macram(parts); install device support for Zynq UltraScale+"
+    error "this Vivado knows neither [join $macram(parts) { nor }]; install device support for Zynq UltraScale+"
 }
 
 # The newest board files of the Ultra96-V2, or nothing.
