@@ -22,7 +22,7 @@ from macram.pack import pack_layer
 from macram.pynq_transport import run_sync
 from macram.spec import BY_NAME, Control, ConvSpec, Error, StreamLayout
 
-TIMEOUT = 2.0
+TIMEOUT = 0.5
 """Seconds for a DMA transfer. The whole reference image takes a few milliseconds."""
 
 
