@@ -38,7 +38,7 @@ LAYERS = (
     {"macram.report"},
     {"macram.train"},
     {"macram.layer_job"},
-    {"macram.cpu_latency"},
+    {"macram.cpu_latency", "macram.designs"},
     {"macram.demo", "macram.bench"},
     {"macram.cli"},
 )

@@ -11,7 +11,15 @@ from importlib import import_module
 from pathlib import Path
 
 from macram import __version__
-from macram.cli import counts_verb, data_verb, evaluate_verb, export_verb, predict_verb, train_verb
+from macram.cli import (
+    counts_verb,
+    data_verb,
+    designs_verb,
+    evaluate_verb,
+    export_verb,
+    predict_verb,
+    train_verb,
+)
 from macram.cli.status import BAD_INPUT, FAILED
 
 SEED = 2022
@@ -94,6 +102,7 @@ def parser() -> argparse.ArgumentParser:
     _layers(verb)
     _hardware(verb)
     export_verb.add_export(verb)
+    designs_verb.add_designs(verb)
     data_verb.add_data(verb)
     counts_verb.add_parser(verb)
     train_verb.add_train(verb)

@@ -4,11 +4,13 @@ from macram.golden.cases import KINDS, random_case, selftest_case
 from macram.golden.conv import conv2d
 from macram.golden.formula import float_code
 from macram.golden.requant import Distance, ShiftRequant, ThresholdRequant, derive_requant
+from macram.golden.residual import ResidualRule
 from macram.golden.run import accumulate, float_codes, run_layer
 
 __all__ = [
     "KINDS",
     "Distance",
+    "ResidualRule",
     "ShiftRequant",
     "ThresholdRequant",
     "accumulate",

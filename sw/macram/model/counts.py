@@ -30,6 +30,29 @@ WIDTHS = (32, 8, 3)
 
 
 @dataclass(frozen=True, slots=True)
+class ConvRun:
+    """One run of a convolution; padding is ``kernel // 2``.
+
+    Attributes:
+        name: in `SpaceNet`. part: one of `PARTS`.
+        c_in, c_out: channels.
+        height, width: of the input.
+        kernel, stride: of both directions.
+        macs: multiply-accumulates, padding included.
+    """
+
+    name: str
+    part: str
+    c_in: int
+    c_out: int
+    height: int
+    width: int
+    kernel: int
+    stride: int
+    macs: int
+
+
+@dataclass(frozen=True, slots=True)
 class ConvCount:
     """One convolution.
 
@@ -145,30 +168,47 @@ def part_of(name: str) -> str:
     return {"backbone": "backbone", "head": "head"}.get(name.partition(".")[0], "pyramids")
 
 
+def conv_runs(config: SpaceNetConfig) -> tuple[ConvRun, ...]:
+    """Every run of a convolution for one image, in order. Shapes only: nothing is stored or multiplied."""
+    return _trace(config)[1]
+
+
 def count_network(config: SpaceNetConfig) -> NetworkCounts:
     """Counts a network at its image size. Shapes only: no weight is stored, nothing is multiplied."""
+    model, runs = _trace(config)
+    names = list(dict.fromkeys(run.name for run in runs))
+    modules = dict(model.named_modules())
+    convs = []
+    for name in names:
+        macs = [run.macs for run in runs if run.name == name]
+        convs.append(ConvCount(name, part_of(name), _weights(modules[name]), sum(macs), len(macs)))
+    side = config.image_size
+    cells = sum(rows * columns for rows, columns in map_sizes(side, side))
+    return NetworkCounts(tuple(convs), sum(p.numel() for p in model.parameters()), cells)
+
+
+def _trace(config: SpaceNetConfig) -> tuple[SpaceNet, tuple[ConvRun, ...]]:
     with torch.device("meta"):
         model = SpaceNet(config, torch.Generator("cpu")).eval()
-    runs: dict[nn.Module, list[int]] = {}
+    runs: list[ConvRun] = []
 
-    def record(module: nn.Module, args: Sequence[Tensor], output: Tensor) -> None:
-        assert isinstance(module, nn.Conv2d)
-        runs.setdefault(module, []).append(output[0].numel() * module.weight[0].numel())
+    def hook(name: str, module: nn.Conv2d) -> None:
+        def record(_module: nn.Module, args: Sequence[Tensor], output: Tensor) -> None:
+            height, width = args[0].shape[-2:]
+            shape = module.in_channels, module.out_channels, height, width
+            kernel, stride = module.kernel_size[0], module.stride[0]
+            macs = output[0].numel() * module.weight[0].numel()
+            runs.append(ConvRun(name, part_of(name), *shape, kernel, stride, macs))
 
-    names: dict[nn.Module, str] = {}
+        module.register_forward_hook(record)
+
     for name, module in model.named_modules():
         if isinstance(module, nn.Conv2d):
-            names[module] = name
-            module.register_forward_hook(record)
+            hook(name, module)
     side = config.image_size
     with torch.no_grad():
         model(torch.empty(1, 3, side, side, device="meta"))
-    convs = tuple(
-        ConvCount(names[module], part_of(names[module]), _weights(module), sum(macs), len(macs))
-        for module, macs in runs.items()
-    )
-    cells = sum(rows * columns for rows, columns in map_sizes(side, side))
-    return NetworkCounts(convs, sum(p.numel() for p in model.parameters()), cells)
+    return model, tuple(runs)
 
 
 def _weights(module: nn.Module) -> int:

@@ -31,12 +31,8 @@ def cycle_rows(report: dict[str, Any]) -> list[dict[str, Any]]:
     ]
 
 
-def render(report: dict[str, Any], pictures: dict[str, bytes]) -> str:
-    """The page for ``report``; ``pictures`` are the PNG files it names, by file name.
-
-    Raises:
-        KeyError: ``report`` names a picture that is not given.
-    """
+def page_environment() -> Any:
+    """Templates of the reports, with filters for numbers; a name that a template misspells is an error."""
     import jinja2  # noqa: PLC0415
 
     environment = jinja2.Environment(
@@ -49,11 +45,28 @@ def render(report: dict[str, Any], pictures: dict[str, bytes]) -> str:
     environment.filters["thousands"] = lambda value: f"{value:,}"
     environment.filters["percent"] = lambda value, digits=1: f"{100 * value:.{digits}f} %"
     environment.filters["plain"] = lambda value: f"{value:g}"
+    environment.filters["fixed"] = lambda value, digits=1: "" if value is None else f"{value:,.{digits}f}"
+    return environment
+
+
+def inline_png(content: bytes) -> str:
+    """A picture as a ``data:`` address, so that a page is one file."""
+    return "data:image/png;base64," + base64.b64encode(content).decode()
+
+
+def render(report: dict[str, Any], pictures: dict[str, bytes]) -> str:
+    """The page for ``report``; ``pictures`` are the PNG files it names, by file name.
+
+    Raises:
+        KeyError: ``report`` names a picture that is not given.
+    """
+    environment = page_environment()
     rows = cycle_rows(report)
     idle = [row for row in rows if row["counter"] != "mac_cycles"]
-    return environment.get_template("page.html.j2").render(
+    page: str = environment.get_template("page.html.j2").render(
         r=report,
         causes=rows,
         idle=idle,
-        picture=lambda name: "data:image/png;base64," + base64.b64encode(pictures[name]).decode(),
+        picture=lambda name: inline_png(pictures[name]),
     )
+    return page

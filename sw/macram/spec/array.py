@@ -22,6 +22,8 @@ MULT_BITS, OFFSET_BITS, SHIFT_BITS = 18, 48, 6
 """Field widths of the multiplier-shift requantiser (5 to 8 output bits)."""
 MAX_THRESHOLD_BITS = 4
 """Up to this many output bits the requantiser compares with thresholds."""
+RESIDUAL = IntFormat(8)
+"""Codes of a residual stream."""
 MAX_SIDE = 0xFFFF
 """Largest height and width of an image."""
 ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4}

@@ -1,0 +1,135 @@
+"""Designs as JSON, Markdown and one HTML page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from macram.designs.design import CAUSES, Design
+from macram.designs.peers import PEERS
+from macram.designs.plots import density_png, latency_png, roofline_png
+from macram.report.files import write_bytes, write_json, write_text
+from macram.report.latency import NOTE, PAPER_TABLE_VI
+from macram.report.page import inline_png, page_environment
+
+HEAD = (
+    "design", "cycles", "from", "ms at 100 MHz", "MAC/cycle", "of peak", "per DSP", "per kLUT",
+    "DSP", "LUT", "FF", "RAMB36",
+)  # fmt: skip
+LAYER_HEAD = ("layer", "part", "shape", "kernel", "cycles", "MAC/cycle", "of peak", *CAUSES, "ms", "")
+PEER_HEAD = ("design", "device", "bits", "MAC/cycle", "per DSP", "per kLUT", "what the figure is", "source")
+
+
+def write_designs(
+    folder: Path, designs: Sequence[Design], *, network: str, command: str, about: dict[str, Any]
+) -> Path:
+    """Write ``designs.json``, ``designs.md``, ``designs.html`` and the pictures into an existing folder.
+
+    Args:
+        folder: where to.
+        designs: at least one.
+        network: whose layers the rows are; empty if there are none.
+        command: what to type to get the same again.
+        about: versions and machine, for the JSON.
+
+    Returns:
+        The page.
+
+    Raises:
+        OSError: the folder is missing or not writable.
+    """
+    pictures = {"latency.png": latency_png(designs)}
+    if any(design.density["macs_per_dsp"] is not None for design in designs):
+        pictures["density.png"] = density_png(designs)
+    pictures |= {
+        f"roofline-{design.array.name}.png": roofline_png(design) for design in designs if design.rows
+    }
+    for name, content in pictures.items():
+        write_bytes(folder / name, content)
+    table = {
+        "format": 1, "command": command, "network": network,
+        "designs": [design.to_dict() for design in designs],
+        "paper_table_vi_ms": dict(PAPER_TABLE_VI),
+        "peers": [peer.to_dict() for peer in PEERS],
+        **about,
+    }  # fmt: skip
+    write_json(folder / "designs.json", table)
+    write_text(folder / "designs.md", markdown(designs, network, command, list(pictures)))
+    page = page_environment().get_template("designs.html.j2").render(
+        designs=designs, network=network, command=command, note=NOTE,
+        head=HEAD, rows=[design_cells(design) for design in designs],
+        layer_head=LAYER_HEAD, layer_rows=[[layer_cells(row) for row in design.layers] for design in designs],
+        peer_head=PEER_HEAD, peers=peer_cells(),
+        pictures={name: inline_png(content) for name, content in pictures.items()},
+    )  # fmt: skip
+    write_text(folder / "designs.html", page)
+    return folder / "designs.html"
+
+
+def markdown(designs: Sequence[Design], network: str, command: str, pictures: Sequence[str]) -> str:
+    """The tables as a Markdown page."""
+    lines = ["# Designs", "", f"Written by `{command}`.", "", "## Reference layer", ""]
+    lines += _table(HEAD, [design_cells(design) for design in designs], left={0, 2})
+    lines += ["", NOTE, "", *(f"![{name}]({name})" for name in pictures), ""]
+    for design in designs:
+        if design.layers:
+            total = design.network
+            lines += [
+                f"## {design.array.name}: every convolution of {network}", "",
+                f"{total['on_array']} of {total['layers']} run on the array as one pass or more: "
+                f"{total['macs_on_array']:,} of {total['macs']:,} MAC in {total['cycles']:,} cycles, "
+                f"{total['ms']:.1f} ms at 100 MHz.", "",
+            ]  # fmt: skip
+            lines += [*_table(LAYER_HEAD, [layer_cells(r) for r in design.layers], left={0, 1, 2, 3, 11}), ""]
+    lines += ["## Published engines", "", *_table(PEER_HEAD, peer_cells(), left={0, 1, 6, 7}), ""]
+    return "\n".join(lines)
+
+
+def design_cells(design: Design) -> list[str]:
+    """One row under `HEAD`; empty where not measured."""
+    row, density, have = design.reference, design.density, design.resources or {}
+    name = f"{design.array.name} ({design.array.units} x {design.array.rows}, {design.array.engine})"
+    if row["refused"] is not None:
+        return [name, "", row["refused"], *[""] * (len(HEAD) - 3)]
+    return [
+        name, f"{row['cycles']:,}", "simulation" if row["simulated"] else "closed form", f"{row['ms']:.3f}",
+        f"{row['macs_per_cycle']:,.0f}", f"{100 * row['utilisation']:.1f} %",
+        _number(density["macs_per_dsp"], 1), _number(density["macs_per_klut"], 1),
+        *(_number(have.get(kind), 0) for kind in ("dsp", "lut", "ff", "bram")),
+    ]  # fmt: skip
+
+
+def layer_cells(row: dict[str, Any]) -> list[str]:
+    """One row under `LAYER_HEAD`."""
+    shape = f"{row['c_in']} -> {row['c_out']}, {row['height']} x {row['width']}"
+    kernel = f"{row['kernel']}x{row['kernel']}/{row['stride']}"
+    start = [row["name"], row["part"], shape, kernel]
+    if row["refused"] is not None:
+        return [*start, *[""] * 7, row["refused"]]
+    lost = [f"{row['estimate'][cause]:,}" for cause in CAUSES]
+    limit = "" if row["estimate"]["limited_by"] == "compute" else f"{row['estimate']['limited_by']} stream"
+    return [
+        *start, f"{row['cycles']:,}", f"{row['macs_per_cycle']:,.0f}", f"{100 * row['utilisation']:.1f} %",
+        *lost, f"{row['ms']:.3f}", limit,
+    ]  # fmt: skip
+
+
+def peer_cells() -> list[list[str]]:
+    """Rows under `PEER_HEAD`."""
+    return [
+        [
+            peer.name, peer.device, str(peer.bits), f"{peer.macs_per_cycle:,.0f}",
+            _number(peer.macs_per_dsp, 1), _number(peer.macs_per_klut, 0), peer.basis, peer.source,
+        ]
+        for peer in PEERS
+    ]  # fmt: skip
+
+
+def _number(value: float | None, digits: int) -> str:
+    return "" if value is None else f"{value:,.{digits}f}"
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]], left: set[int]) -> list[str]:
+    marks = ["---" if index in left else "---:" for index in range(len(head))]
+    return [f"| {' | '.join(cells)} |" for cells in (head, marks, *rows)]
