@@ -8,11 +8,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from macram.spec import ArrayConfig
-
 if TYPE_CHECKING:
     from macram.cli.stages import Stages
     from macram.layer_file import LayerCase
+    from macram.spec import ArrayConfig
 
 EPILOG = """\
 then, on a machine with Vivado:
@@ -64,9 +63,11 @@ def add_export(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) ->
 
 def export(arguments: argparse.Namespace) -> int:
     """Write the folder."""
+    # Late: the grammar above is loaded by every command, NumPy and Amaranth are not.
     from macram.cli.console import open_console  # noqa: PLC0415
     from macram.cli.stages import Stages  # noqa: PLC0415
     from macram.export import export_vivado  # noqa: PLC0415
+    from macram.spec import ArrayConfig  # noqa: PLC0415
 
     array = ArrayConfig() if arguments.config is None else ArrayConfig.from_toml(arguments.config)
     console = open_console()
