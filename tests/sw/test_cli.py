@@ -282,7 +282,9 @@ def test_sim_holds_the_undisturbed_run_to_its_bound_and_to_the_closed_form(
     assert out.count("FAILED reference") == 1
 
 
-def test_bench_gives_medians_and_the_machine(small_reference, tmp_path, capsys):
+def test_bench_gives_medians_and_the_machine(small_reference, monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr("macram.network_latency.SIZE", "tiny")
+    monkeypatch.setattr("macram.network_latency.SIDES", (64,))
     folder = os.environ.get("MACRAM_BUILD_DIR")
     assert main(["bench", "-o", str(tmp_path), "--repeat", "2"]) == 0
     report = json.loads((tmp_path / "bench.json").read_text())
@@ -290,6 +292,10 @@ def test_bench_gives_medians_and_the_machine(small_reference, tmp_path, capsys):
     assert rows["simulation, whole layer"]["median_s"] == 0.25
     assert len(rows["golden model, whole layer"]["runs_s"]) == 2
     assert report["machine"]["cores"] >= 1
+    for row in report["network"]:
+        assert row["ratio"] == pytest.approx(row["integer_ms"] / row["float_ms"], rel=0.01)
+        assert len(row["float_runs_ms"]) == len(row["integer_runs_ms"]) == 2
+    assert [row["threads"] for row in report["network"]][:1] == [1]
     assert os.environ.get("MACRAM_BUILD_DIR") == folder
     capsys.readouterr()
     assert main(["bench", "-o", str(tmp_path / "none"), "--repeat", "0"]) == 2

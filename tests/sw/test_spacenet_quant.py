@@ -25,6 +25,8 @@ from macram.quant import (
     run_golden,
     training_codes,
 )
+from macram.quant.deploy import _Table
+from macram.quant.lower import code_table
 from macram.quant.network import QuantConv
 from macram.quant.program import AccumulateOp, AddOp, LookupOp, Program
 from macram.spec import ConvSpec, IntFormat
@@ -262,12 +264,39 @@ def test_signed_lookup_and_doubled_sum_by_hand():
             LookupOp("wide", "x", np.arange(8) - 4, -4),
             AddOp("once", "wide", "x", -np.arange(-4, 4), 3, floor=-4, low=-4),
             AddOp("sum", "x", "x", np.arange(-40, 40, 10), 3, floor=-4, low=-4),
+            LookupOp("half", "x", np.array([-2, -2, -1, 0, 0, 0, 1, 2]), -4),
+            LookupOp("bent", "x", np.array([5, 1, 2, 2, 7, 0, 3, 4]), -4),
+            LookupOp("same", "x", np.full(8, 1 << 25), -4),
         ),
     )  # fmt: skip
     out = both(program, codes)
     assert out["relu"].tolist() == [[[0, 6], [0, 0]]]
     assert not out["once"].any()
     assert out["sum"].tolist() == [[[-4, 3], [0, -4]]]
+    assert out["half"].tolist() == [[[-2, 2], [0, 0]]]
+    assert out["bent"].tolist() == [[[5, 4], [7, 2]]]
+    assert out["same"].tolist() == [[[1 << 25] * 2] * 2]
+
+
+@pytest.mark.parametrize("steps", [(1.0, 2.0), (0.013, 0.0207), (0.4, 0.01), (0.01, 3.0)])
+@pytest.mark.parametrize("form", [IntFormat(3), IntFormat(8), IntFormat(8, signed=True)])
+def test_tables_between_steps_need_no_gathering(steps, form):
+    """It would still be right, but several times slower."""
+    source, target = (LsqQuantizer(f, batched=True) for f in (form, IntFormat(3, signed=form.signed)))
+    for quantizer, step in zip((source, target), steps, strict=True):
+        quantizer.step.data.fill_(step)
+    table = code_table(source, target)
+    op = LookupOp("y", "x", table, form.lo)
+    codes = np.arange(form.lo, form.hi + 1).reshape(1, 1, -1)
+    both(Program("x", form, codes.shape, (op,)), codes)
+    assert (_Table(op).ratio is None) == (table.min() == table.max())
+
+
+def test_only_accumulators_are_kept_when_nothing_else_is_asked_for(deployed):
+    _, program, _, codes, tensors = deployed
+    sums = DeployedNetwork(program).accumulators(codes)
+    assert list(sums) == [op.name for op in program.ops if isinstance(op, AccumulateOp)]
+    assert all(torch.equal(value, tensors[name]) for name, value in sums.items())
 
 
 def test_a_doubled_branch_serves_four_places():

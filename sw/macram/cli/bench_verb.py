@@ -32,6 +32,7 @@ def bench(arguments: argparse.Namespace) -> int:
         table.add_row(row["name"], f"{row['median_s']:.3f}", runs, rate)
     console.print(table)
     console.print(_table_vi(report["table_vi"]))
+    console.print(_network(report["network"]))
     write_json(arguments.out / "bench.json", report)
     console.print(f"{arguments.out / 'bench.json'}", highlight=False, markup=False, soft_wrap=True)
     return 0
@@ -50,4 +51,16 @@ def _table_vi(table: dict[str, Any]) -> Table:
     rows.add_row(
         f"the array, {array['cycles']:,} simulated cycles at 100 MHz", "", f"{array['ms_at_100mhz']:.2f}"
     )
+    return rows
+
+
+def _network(measured: list[dict[str, Any]]) -> Table:
+    """The whole network as integers beside its float32 forward pass."""
+    rows = Table(title="the whole network on this processor")
+    for column in ("network", "picture", "threads", "float32 ms", "integers ms", "ratio"):
+        rows.add_column(column, justify="left" if column == "network" else "right")
+    for row in measured:
+        picture = f"{row['side']} x {row['side']}"
+        times = f"{row['float_ms']:.1f}", f"{row['integer_ms']:.1f}", f"{row['ratio']:.2f}"
+        rows.add_row(row["network"], picture, str(row["threads"]), *times)
     return rows

@@ -152,7 +152,7 @@ class Predictor:
             self._programs[size] = DeployedNetwork(lower_network(self.net, *size))
         deployed = self._programs[size]
         codes = host_codes(cast(QuantDarkNet53, self.net.backbone), picture)
-        return host_predictions(deployed.program, deployed(codes))
+        return host_predictions(deployed.program, deployed.accumulators(codes))
 
 
 def evaluate_frames(
