@@ -6,14 +6,14 @@ import os
 import statistics
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from macram.cpu_latency import measure_cpu
 from macram.layer_job import CLOCK_HZ, Stage, array_for
-from macram.network_latency import measure_network
+from macram.network_latency import SIDES, SIZE, measure_network
 from macram.report.latency import PAPER_TABLE_VI, REFERENCE
 from macram.report.versions import machine, versions
 
@@ -64,7 +64,7 @@ def measure(*, repeat: int, seed: int, stage: Stage) -> dict[str, Any]:
     with stage("the layer on this processor"):
         cpu = measure_cpu(repeat)
     with stage("the whole network on this processor"):
-        network = measure_network(repeat, seed)
+        network = measure_network(repeat, seed, size=SIZE, sides=SIDES)
     return {
         "format": 3,
         "measurements": rows,
@@ -78,6 +78,26 @@ def measure(*, repeat: int, seed: int, stage: Stage) -> dict[str, Any]:
         "machine": machine(),
         "versions": versions(),
     }
+
+
+def measure_only_network(
+    *, repeat: int, seed: int, stage: Stage, size: str, sides: Sequence[int]
+) -> dict[str, Any]:
+    """The ``network`` part of `measure` alone, of any size, so that its memory is its own.
+
+    Args:
+        repeat: runs per measurement.
+        seed: of weights and pictures.
+        stage: opens a named stage.
+        size: one of `macram.model.SIZES`.
+        sides: of the square pictures, multiples of 32.
+
+    Raises:
+        ValueError: an unknown size, or a side that is no multiple of 32.
+    """
+    with stage(f"the network {size} on this processor"):
+        network = measure_network(repeat, seed, size=size, sides=sides)
+    return {"format": 1, "network": network, "seed": seed, "machine": machine(), "versions": versions()}
 
 
 def _row(name: str, seconds: list[float]) -> dict[str, Any]:

@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import os
+import resource
 import statistics
+import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from macram.cpu_latency import torch_threads
 
 SIZE = "quarter"
 SIDES = (256, 512)
+CALIBRATION_SIDE = 256
+GIB = 1 << 30
 
 
-def measure_network(repeat: int, seed: int) -> list[dict[str, Any]]:
-    """Time the `quarter` network, random but calibrated, in float32 and as deployed integers (W3A3, mode III).
+def measure_network(
+    repeat: int, seed: int, *, size: str = SIZE, sides: Sequence[int] = SIDES
+) -> list[dict[str, Any]]:
+    """Time a whole network, random but calibrated, in float32 and as deployed integers (W3A3, mode III).
 
     Both start from the same normalised picture and end with the predictions; they take turns, so that what else
     the machine does meets both. What has to be made only once per network is not in the times.
@@ -23,10 +29,16 @@ def measure_network(repeat: int, seed: int) -> list[dict[str, Any]]:
     Args:
         repeat: runs of each, after one that warms caches; the figure is their median.
         seed: of weights and pictures.
+        size: one of `macram.model.SIZES`.
+        sides: of the square pictures, multiples of 32.
 
     Returns:
         One row per picture side and number of threads (one, all): ``network``, ``side``, ``threads``, ``float_ms``,
-        ``integer_ms``, their ``ratio``, and all runs. Empty without PyTorch.
+        ``integer_ms``, their ``ratio``, all runs, and ``peak_gib``, the largest memory that this process has had
+        until then, with everything it did. Empty without PyTorch.
+
+    Raises:
+        ValueError: an unknown size, or a side that is no multiple of 32.
     """
     try:
         import torch  # noqa: PLC0415
@@ -45,14 +57,14 @@ def measure_network(repeat: int, seed: int) -> list[dict[str, Any]]:
     )
 
     draw = torch.Generator().manual_seed(seed)
-    model = SpaceNet(spacenet_config(SIZE, "deployable"), draw)
-    pictures = torch.randn((4, 3, SIDES[0], SIDES[0]), generator=draw)
+    model = SpaceNet(spacenet_config(size, "deployable"), draw)
+    pictures = torch.randn((4, 3, CALIBRATION_SIDE, CALIBRATION_SIDE), generator=draw)
     calibrate_batch_norm(model, pictures)
     net: Any = quantise(model, "III", Precision())
     calibrate_steps(net, pictures)
     model = model.to(memory_format=torch.channels_last)  # type: ignore[call-overload]
     rows = []
-    for side in SIDES:
+    for side in sides:
         picture = torch.randn((1, 3, side, side), generator=draw)
         deployed = DeployedNetwork(lower_network(net, side, side))
 
@@ -67,7 +79,7 @@ def measure_network(repeat: int, seed: int) -> list[dict[str, Any]]:
         for threads in sorted({1, os.cpu_count() or 1}):
             with torch_threads(torch, threads):
                 rows.append(
-                    {"network": SIZE, "side": side, "threads": threads} | _row(as_floats, as_integers, repeat)
+                    {"network": size, "side": side, "threads": threads} | _row(as_floats, as_integers, repeat)
                 )
     return rows
 
@@ -84,5 +96,11 @@ def _row(as_floats: Callable[[], None], as_integers: Callable[[], None], repeat:
     return {
         **{f"{name}_ms": round(value, 2) for name, value in medians.items()},
         "ratio": round(medians["integer"] / medians["float"], 3),
+        "peak_gib": round(_peak() / GIB, 3),
         **{f"{name}_runs_ms": [round(v, 2) for v in values] for name, values in runs.items()},
     }
+
+
+def _peak() -> int:
+    """The largest resident memory of this process so far, bytes."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024)

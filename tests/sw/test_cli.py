@@ -283,8 +283,8 @@ def test_sim_holds_the_undisturbed_run_to_its_bound_and_to_the_closed_form(
 
 
 def test_bench_gives_medians_and_the_machine(small_reference, monkeypatch, tmp_path, capsys):
-    monkeypatch.setattr("macram.network_latency.SIZE", "tiny")
-    monkeypatch.setattr("macram.network_latency.SIDES", (64,))
+    monkeypatch.setattr("macram.bench.SIZE", "tiny")
+    monkeypatch.setattr("macram.bench.SIDES", (64,))
     folder = os.environ.get("MACRAM_BUILD_DIR")
     assert main(["bench", "-o", str(tmp_path), "--repeat", "2"]) == 0
     report = json.loads((tmp_path / "bench.json").read_text())
@@ -300,6 +300,19 @@ def test_bench_gives_medians_and_the_machine(small_reference, monkeypatch, tmp_p
     capsys.readouterr()
     assert main(["bench", "-o", str(tmp_path / "none"), "--repeat", "0"]) == 2
     assert "--repeat must be at least 1, not 0" in one_line_of(capsys)
+    network = ["bench", "-o", str(tmp_path), "--repeat", "1", "--network", "tiny"]
+    assert main([*network, "--side", "64", "--side", "96"]) == 0
+    rows = json.loads((tmp_path / "network-tiny.json").read_text())["network"]
+    assert {row["side"] for row in rows} == {64, 96}
+    assert all(0 < row["peak_gib"] < 24 for row in rows)
+    capsys.readouterr()
+    for wrong, words in (
+        ([*network, "--side", "50"], "multiples of 32, not 50"),
+        (["bench", "--side", "64"], "--side goes with --network"),
+        (["bench", "--network", "huge"], "'huge'"),
+    ):
+        assert main(wrong) == 2
+        assert words in one_line_of(capsys)
     assert not (tmp_path / "none").exists()
 
 

@@ -79,7 +79,7 @@ def listed():
     lines = (Path(__file__).parent / "pytorchcv_darknet53.txt").read_text().splitlines()
     rows = [line.split() for line in lines if line and not line.startswith("#")]
     shapes = {name: tuple(map(int, size)) for name, *size in rows if not name.startswith("stage")}
-    return shapes, [float(value) for name, value in rows if name.startswith("stage")]
+    return shapes, [float(row[1]) for row in rows if row[0].startswith("stage")]
 
 
 def filled(shapes):
