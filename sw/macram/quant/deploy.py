@@ -1,18 +1,16 @@
-"""The deployed network in PyTorch, integer codes in and out, and its distance from the training graph."""
+"""The deployed network in PyTorch, integer codes in and out."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
 from macram.golden import ShiftRequant
-from macram.quant.lsq import LsqQuantizer
 from macram.quant.network import QuantDarkNet53, QuantStage
 from macram.quant.program import AccumulateOp, AddOp, Codes, ConvOp, LookupOp, Op, Program
 
@@ -184,53 +182,6 @@ def host_codes(net: QuantDarkNet53, image: Tensor) -> Tensor:
     entry = cast(QuantStage, net.stages[0]).entry
     with torch.no_grad():
         return entry.input_quant.to_codes(net.init(image[None]))[0]
-
-
-def training_codes(
-    net: nn.Module, image: Tensor, program: Program, depth: int | None = None
-) -> dict[str, Codes]:
-    """The codes that the float32 training graph rounds to, under the names of the program's tensors.
-
-    Sums that leave as accumulators are in no quantiser and so not among them.
-
-    Args:
-        net: quantised backbone or whole network, in evaluation mode.
-        image: ``[3, H, W]``, normalised.
-        program: lowered from ``net``; its tensors stand in the order of the graph's activation quantisers.
-        depth: of a backbone, stages to run, enough for the program.
-    """
-    names = [program.input, *(op.name for op in program.ops if not isinstance(op, AccumulateOp))]
-    recorded: list[Codes] = []
-
-    def record(module: nn.Module, args: tuple[Any, ...], output: Tensor) -> None:
-        assert isinstance(module, LsqQuantizer)
-        if len(recorded) < len(names):
-            recorded.append(module.to_codes(args[0])[0].numpy())
-
-    quantizers = [m for m in net.modules() if isinstance(m, LsqQuantizer) and m.batched]
-    handles = [quantizer.register_forward_hook(record) for quantizer in quantizers]
-    try:
-        with torch.no_grad():
-            net(image[None]) if depth is None else net(image[None], depth)
-    finally:
-        for handle in handles:
-            handle.remove()
-    return dict(zip(names, recorded, strict=True))
-
-
-def differing_shares(
-    training: dict[str, Codes], deployed: dict[str, NDArray[np.integer]]
-) -> dict[str, float]:
-    """Share of codes, 0 to 1, in which the training graph and the deployed network differ, per tensor.
-
-    Differences accumulate from layer to layer: each side continues with its own codes.
-
-    Raises:
-        ValueError: the two do not hold the same tensors.
-    """
-    if training.keys() != deployed.keys():
-        raise ValueError(f"tensors differ: {sorted(training.keys() ^ deployed.keys())}")
-    return {name: float(np.mean(training[name] != deployed[name])) for name in training}
 
 
 def _key(name: str) -> str:
