@@ -91,9 +91,21 @@ def test_layer_writes_codes_and_report(simulator, layer_file, tmp_path, capsys):
     assert {"macram", "python", "numpy"} <= set(report["versions"])
     parts = [report["estimate"][name] for name in COUNTERS]
     assert report["estimate"]["total"] == sum(parts) == estimate(SMALL, ArrayConfig()).total
-    options = {"gaps": "random", "stalls": "random", "load": "stream", "seed": 7, "waves": False}
+    options = {
+        "gaps": "random",
+        "stalls": "random",
+        "load": "stream",
+        "seed": 7,
+        "waves": False,
+        "job_dir": None,
+    }
     assert [call[1] for call in simulator.calls] == [options]
     assert "378 output codes compared, 0 differ" in capsys.readouterr().out
+
+
+def test_the_waveform_goes_beside_the_report(simulator, layer_file, tmp_path):
+    assert main(["layer", str(layer_file), "-o", str(tmp_path / "out"), "--waves"]) == 0
+    assert simulator.calls[0][1]["job_dir"] == tmp_path / "out/simulation"
 
 
 def test_one_wrong_code_fails_and_is_named(simulator, layer_file, tmp_path, capsys):
