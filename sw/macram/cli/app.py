@@ -208,8 +208,17 @@ def _hardware(verb: Verb) -> None:
     bench = verb(
         "bench",
         "bench_verb",
-        "measure build, simulation, golden model and packing",
-        "Medians of several runs, with the machine they ran on, into bench.json.",
+        "measure build, simulation, golden model, packing and inference",
+        "Medians of several runs, with the machine they ran on, into bench.json. With --network only the whole "
+        "network, random but calibrated, as float32 and as deployed integers, with its memory, into network-SIZE.json.",
+    )
+    bench.add_argument("--network", metavar="SIZE", help="paper, quarter, eighth, tiny or paper-front")
+    bench.add_argument(
+        "--side",
+        type=int,
+        action="append",
+        metavar="N",
+        help="pictures of N x N pixels, a multiple of 32; may be repeated (default: 256 and 512)",
     )
     bench.add_argument("--repeat", type=int, default=3, help="runs per measurement (default: 3)")
     _out(bench, "build/bench")
