@@ -28,6 +28,8 @@ LAYERS = (
     {"macram.pack"},
     {"macram.driver"},
     {"macram.pynq_transport", "macram_sim"},
+    {"macram.board"},
+    {"macram.export"},
     {"macram.data"},
     {"macram.pose"},
     {"macram.model"},
@@ -37,6 +39,7 @@ LAYERS = (
     {"macram.train"},
     {"macram.layer_job"},
     {"macram.cpu_latency", "macram.designs"},
+    {"macram.network_latency"},
     {"macram.demo", "macram.bench"},
     {"macram.cli"},
 )
@@ -44,7 +47,7 @@ LAYERS = (
 RANK = {name: rank for rank, names in enumerate(LAYERS) for name in names}
 NETWORKS = {"macram.model", "macram.quant", "macram.front", "macram.train"}
 """Where networks live: the only place for torch at import time."""
-LATE = {"macram.cpu_latency": {"torch"}}
+LATE = {"macram.cpu_latency": {"torch"}, "macram.network_latency": {"torch"}}
 """Imported inside a function, for a measurement."""
 HARDWARE = {"amaranth": {"macram_hw"}, "cocotb": {"macram_sim"}, "cocotb_tools": {"macram_sim"}}
 

@@ -1,4 +1,4 @@
-"""How long the tools take: Verilator build, simulation, golden model, packing. Every number is a median."""
+"""How long things take: Verilator build, simulation, golden model, packing, inference. Every number is a median."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ import os
 import statistics
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from macram.cpu_latency import measure_cpu
 from macram.layer_job import CLOCK_HZ, Stage, array_for
+from macram.network_latency import SIDES, SIZE, measure_network
 from macram.report.latency import PAPER_TABLE_VI, REFERENCE
 from macram.report.versions import machine, versions
 
@@ -30,8 +31,8 @@ def measure(*, repeat: int, seed: int, stage: Stage) -> dict[str, Any]:
 
     Returns:
         ``measurements``: rows with ``name``, ``median_s``, ``runs_s`` and, where it says something, ``rate``;
-        ``table_vi``: the layer in the paper, on this processor, on the simulated array; ``machine``,
-        ``versions``, ``seed``.
+        ``table_vi``: the layer in the paper, on this processor, on the simulated array; ``network``: the whole
+        network as integers beside its float32 forward pass; ``machine``, ``versions``, ``seed``.
     """
     from macram import golden, pack  # noqa: PLC0415
     from macram_sim.array import build_array, simulate  # noqa: PLC0415
@@ -62,18 +63,41 @@ def measure(*, repeat: int, seed: int, stage: Stage) -> dict[str, Any]:
     )
     with stage("the layer on this processor"):
         cpu = measure_cpu(repeat)
+    with stage("the whole network on this processor"):
+        network = measure_network(repeat, seed, size=SIZE, sides=SIDES)
     return {
-        "format": 2,
+        "format": 3,
         "measurements": rows,
         "table_vi": {
             "paper_ms": [{"device": name, "ms": ms} for name, ms in PAPER_TABLE_VI],
             "this_cpu": cpu,
             "array_simulated": {"cycles": cycles, "ms_at_100mhz": 1e3 * cycles / CLOCK_HZ},
         },
+        "network": network,
         "seed": seed,
         "machine": machine(),
         "versions": versions(),
     }
+
+
+def measure_only_network(
+    *, repeat: int, seed: int, stage: Stage, size: str, sides: Sequence[int]
+) -> dict[str, Any]:
+    """The ``network`` part of `measure` alone, of any size, so that its memory is its own.
+
+    Args:
+        repeat: runs per measurement.
+        seed: of weights and pictures.
+        stage: opens a named stage.
+        size: one of `macram.model.SIZES`.
+        sides: of the square pictures, multiples of 32.
+
+    Raises:
+        ValueError: an unknown size, or a side that is no multiple of 32.
+    """
+    with stage(f"the network {size} on this processor"):
+        network = measure_network(repeat, seed, size=size, sides=sides)
+    return {"format": 1, "network": network, "seed": seed, "machine": machine(), "versions": versions()}
 
 
 def _row(name: str, seconds: list[float]) -> dict[str, Any]:

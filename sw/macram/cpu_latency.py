@@ -39,7 +39,7 @@ def measure_cpu(repeat: int) -> list[dict[str, Any]]:
     every = os.cpu_count() or 1
     rows = []
     for threads in sorted({1, every}):
-        with _torch_threads(torch, threads), torch.inference_mode(), warnings.catch_warnings():
+        with torch_threads(torch, threads), torch.inference_mode(), warnings.catch_warnings():
             rows.append(
                 _row(
                     "PyTorch float32",
@@ -76,7 +76,8 @@ def _int8(torch: Any, image: Any, kernel: Any) -> Callable[[], object] | None:
 
 
 @contextmanager
-def _torch_threads(torch: Any, threads: int) -> Iterator[None]:
+def torch_threads(torch: Any, threads: int) -> Iterator[None]:
+    """While open, PyTorch uses so many threads."""
     before = torch.get_num_threads()
     torch.set_num_threads(threads)
     try:

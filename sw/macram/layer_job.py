@@ -172,6 +172,7 @@ def run_layer_job(
     traffic: Traffic | None = None,
     stage: Stage | None = None,
     expected: NDArray[np.int64] | None = None,
+    job_dir: Path | None = None,
 ) -> LayerRun:
     """Pack ``case``, simulate it on ``array`` and compare every output code with the golden model.
 
@@ -181,6 +182,7 @@ def run_layer_job(
         traffic: stream patterns, by default undisturbed.
         stage: opens a named stage, for progress.
         expected: golden codes where the caller has them already.
+        job_dir: where inputs, log and waveform of the simulation go and stay; default a folder among the builds.
 
     Raises:
         ValueError: the array does not admit the layer.
@@ -206,7 +208,7 @@ def run_layer_job(
         build_array(array, waves=traffic.waves)
     build_seconds = time.perf_counter() - started
     with stage("simulate"):
-        result = simulate(packed, case.input, **dataclasses.asdict(traffic))
+        result = simulate(packed, case.input, job_dir=job_dir, **dataclasses.asdict(traffic))
     return LayerRun(
         case=case,
         array=array,

@@ -17,6 +17,11 @@ from macram.driver import Beats, StreamTimeout
 
 T = TypeVar("T")
 
+MAX_TRANSFER = (1 << 26) - 1
+"""Bytes of the longest transfer: the widest length register an AXI DMA can have is 26 bits (PG021)."""
+DMACR, DMACR_RESET = 0x00, 1 << 2
+"""An AXI DMA's control register, and the bit that resets both of its channels (PG021)."""
+
 
 class Mmio(Protocol):
     """What is used of ``pynq.MMIO``, and of an overlay's IP driver."""
@@ -29,21 +34,32 @@ class Mmio(Protocol):
 
 
 class Channel(Protocol):
-    """What is used of one channel of ``pynq.lib.dma.DMA``."""
+    """What is used of one channel of ``pynq.lib.dma.DMA`` (PYNQ 2.6 or newer) without scatter-gather."""
 
     @property
     def idle(self) -> bool:
         """Whether the last transfer is over."""
 
+    @property
+    def error(self) -> bool:
+        """Whether the engine has stopped because of an error."""
+
+    @property
+    def transferred(self) -> int:
+        """Bytes that the last transfer moved, once `wait` has returned."""
+
+    def start(self) -> None:
+        """Let the channel run, after a reset of the engine."""
+
     def transfer(self, buffer: NDArray[np.uint8]) -> None:
-        """Start moving the buffer."""
+        """Bring the buffer out of the cache (sending only) and start moving it."""
 
     def wait(self) -> None:
-        """Wait for the end, check for errors, and make received bytes visible."""
+        """Wait for the end; RuntimeError on an error. Then make received bytes visible."""
 
 
-class Dma(Protocol):
-    """``pynq.lib.dma.DMA``; that of the parameter stream needs no ``recvchannel``."""
+class Dma(Mmio, Protocol):
+    """``pynq.lib.dma.DMA``: its registers and channels. ``recvchannel`` is used of the image's DMA alone."""
 
     @property
     def sendchannel(self) -> Channel:
@@ -67,14 +83,17 @@ class PynqTransport:
 
     Args:
         mmio: the array's registers.
-        image_dma: DMA of ``s_axis`` and ``m_axis``; its transfers must admit a whole image.
+        image_dma: DMA of ``s_axis`` and ``m_axis``.
         param_dma: DMA of ``s_axis_param``.
         allocate: ``pynq.allocate``.
         timeout: seconds a transfer may take.
 
+    One packet is one transfer, because a DMA without scatter-gather ends each of its transfers with TLAST; so
+    a packet is never split, and one that exceeds `MAX_TRANSFER` is refused.
+
     A transfer that is given up still belongs to the DMA engine, and only a reset of the engine takes it away:
-    PYNQ's ``stop`` waits for the very transfer that hangs. So its buffer is kept until the channel is idle, and
-    nothing is ever written to memory that was handed back.
+    PYNQ's ``stop`` waits for the very transfer that hangs. So its buffer is kept until the channel is idle or
+    `reset` was called, and nothing is ever written to memory that was handed back.
     """
 
     def __init__(
@@ -105,8 +124,10 @@ class PynqTransport:
         """Send beats ``[n, bytes]`` on the parameter stream.
 
         Raises:
-            StreamTimeout: the transfer took too long, or an earlier one still holds the channel.
+            ValueError: more than `MAX_TRANSFER` bytes.
+            StreamTimeout: the transfer took too long or failed, or an earlier one still holds the channel.
         """
+        _check_size(beats.size, "parameter stream")
         channel = self._params.sendchannel
         self._check_free(channel, "parameter stream")
         try:
@@ -119,12 +140,16 @@ class PynqTransport:
         """Send an image and return the beats ``[beats_out, bytes]`` that come back.
 
         Raises:
-            StreamTimeout: a transfer took too long, or an earlier one still holds a channel.
+            ValueError: more than `MAX_TRANSFER` bytes in or out.
+            StreamTimeout: a transfer took too long, failed or came back short, or an earlier one still holds a
+                channel.
         """
+        size = beats.shape[1]
+        _check_size(beats.size, "input stream")
+        _check_size(beats_out * size, "output stream")
         sender, receiver = self._image.sendchannel, self._image.recvchannel
         self._check_free(sender, "input stream")
         self._check_free(receiver, "output stream")
-        size = beats.shape[1]
         try:
             received = self._borrow(beats_out * size)
             image = self._filled(beats)
@@ -133,9 +158,33 @@ class PynqTransport:
             self._start(sender, image)
             self._finish(sender, "input stream")
             self._finish(receiver, "output stream")
+            if (came := receiver.transferred) != beats_out * size:
+                raise StreamTimeout(
+                    f"the output stream ended after {came} of {beats_out * size} bytes; reset the array"
+                )
             return np.array(received.buffer, dtype=np.uint8).reshape(beats_out, size)
         finally:
             self._reclaim()
+
+    def reset(self) -> None:
+        """Reset both DMA engines, so that a transfer which was given up is gone and its memory free again.
+
+        A reset ends a stream at an arbitrary beat: soft-reset the array after it, not before.
+
+        Raises:
+            StreamTimeout: an engine does not come out of its reset.
+        """
+        for dma, name in ((self._image, "image"), (self._params, "parameter")):
+            dma.write(DMACR, DMACR_RESET)
+            deadline = time.monotonic() + self._timeout
+            while dma.read(DMACR) & DMACR_RESET:
+                if time.monotonic() > deadline:
+                    raise StreamTimeout(f"the {name} DMA stays in reset; load the overlay again")
+            dma.sendchannel.start()
+        self._image.recvchannel.start()
+        for lent in self._lent:
+            lent.buffer.freebuffer()
+        self._lent = []
 
     def _borrow(self, size: int) -> _Lent:
         lent = _Lent(self._allocate(shape=(size,), dtype=np.uint8))
@@ -165,17 +214,28 @@ class PynqTransport:
         self._reclaim()
         if any(lent.channel is channel for lent in self._lent):
             raise StreamTimeout(
-                f"the {name} still holds a transfer that was given up; load the overlay again"
+                f"the {name} still holds a transfer that was given up; reset the transport "
+                "or load the overlay again"
             )
 
     def _finish(self, channel: Channel, name: str) -> None:
         # PYNQ's own wait() never gives up, so it is entered once the channel is done: it then only checks for
         # errors and brings the received bytes out of the cache.
         deadline = time.monotonic() + self._timeout
-        while not channel.idle:
+        while not (channel.idle or channel.error):
             if time.monotonic() > deadline:
                 raise StreamTimeout(f"the {name} did not finish within {self._timeout:g} s; reset the array")
-        channel.wait()
+        try:
+            channel.wait()
+        except RuntimeError as error:
+            raise StreamTimeout(f"the {name} failed: {error}; reset the transport and the array") from error
+
+
+def _check_size(size: int, name: str) -> None:
+    if size > MAX_TRANSFER:
+        raise ValueError(
+            f"the {name} would carry {size} bytes, one DMA transfer at most {MAX_TRANSFER}; split the layer"
+        )
 
 
 def run_sync(coroutine: Coroutine[Any, Any, T]) -> T:

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from macram.data.erase import grow
 from macram.pose import Pose, box_corners, project
 from macram.pose import warp as wp
 from macram.train import augment as au
@@ -238,7 +239,7 @@ def test_the_mask_moves_with_the_image():
 def test_one_draw_serves_image_and_erased_image():
     frame = marked_frame()
     view = view_of(frame, au.AugmentSettings())
-    grown = wp.grow(view.mask, 4)
+    grown = grow(view.mask, 4)
     assert np.array_equal(view.image[~grown], view.counterfactual[~grown])
     assert (view.counterfactual[view.mask] == 0).all()
     assert np.count_nonzero(view.mask) > 500
@@ -248,14 +249,14 @@ def test_one_draw_serves_image_and_background():
     frame = marked_frame(background=True)
     view = view_of(frame, au.AugmentSettings())
     # The discs at the corners reach three pixels beyond the mask.
-    away = ~wp.grow(view.mask, 8)
+    away = ~grow(view.mask, 8)
     assert np.array_equal(view.image[away], view.counterfactual[away])
     assert (view.counterfactual[view.mask] != view.image[view.mask]).mean() > 0.5
     assert (view.counterfactual[view.mask] > 0).any()
 
 
 def aligned_share(view):
-    away = ~wp.grow(view.mask, 8)
+    away = ~grow(view.mask, 8)
     return (view.image[away] == view.counterfactual[away]).mean()
 
 

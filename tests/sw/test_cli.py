@@ -91,9 +91,21 @@ def test_layer_writes_codes_and_report(simulator, layer_file, tmp_path, capsys):
     assert {"macram", "python", "numpy"} <= set(report["versions"])
     parts = [report["estimate"][name] for name in COUNTERS]
     assert report["estimate"]["total"] == sum(parts) == estimate(SMALL, ArrayConfig()).total
-    options = {"gaps": "random", "stalls": "random", "load": "stream", "seed": 7, "waves": False}
+    options = {
+        "gaps": "random",
+        "stalls": "random",
+        "load": "stream",
+        "seed": 7,
+        "waves": False,
+        "job_dir": None,
+    }
     assert [call[1] for call in simulator.calls] == [options]
     assert "378 output codes compared, 0 differ" in capsys.readouterr().out
+
+
+def test_the_waveform_goes_beside_the_report(simulator, layer_file, tmp_path):
+    assert main(["layer", str(layer_file), "-o", str(tmp_path / "out"), "--waves"]) == 0
+    assert simulator.calls[0][1]["job_dir"] == tmp_path / "out/simulation"
 
 
 def test_one_wrong_code_fails_and_is_named(simulator, layer_file, tmp_path, capsys):
@@ -282,7 +294,9 @@ def test_sim_holds_the_undisturbed_run_to_its_bound_and_to_the_closed_form(
     assert out.count("FAILED reference") == 1
 
 
-def test_bench_gives_medians_and_the_machine(small_reference, tmp_path, capsys):
+def test_bench_gives_medians_and_the_machine(small_reference, monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr("macram.bench.SIZE", "tiny")
+    monkeypatch.setattr("macram.bench.SIDES", (64,))
     folder = os.environ.get("MACRAM_BUILD_DIR")
     assert main(["bench", "-o", str(tmp_path), "--repeat", "2"]) == 0
     report = json.loads((tmp_path / "bench.json").read_text())
@@ -290,10 +304,27 @@ def test_bench_gives_medians_and_the_machine(small_reference, tmp_path, capsys):
     assert rows["simulation, whole layer"]["median_s"] == 0.25
     assert len(rows["golden model, whole layer"]["runs_s"]) == 2
     assert report["machine"]["cores"] >= 1
+    for row in report["network"]:
+        assert row["ratio"] == pytest.approx(row["integer_ms"] / row["float_ms"], rel=0.01)
+        assert len(row["float_runs_ms"]) == len(row["integer_runs_ms"]) == 2
+    assert [row["threads"] for row in report["network"]][:1] == [1]
     assert os.environ.get("MACRAM_BUILD_DIR") == folder
     capsys.readouterr()
     assert main(["bench", "-o", str(tmp_path / "none"), "--repeat", "0"]) == 2
     assert "--repeat must be at least 1, not 0" in one_line_of(capsys)
+    network = ["bench", "-o", str(tmp_path), "--repeat", "1", "--network", "tiny"]
+    assert main([*network, "--side", "64", "--side", "96"]) == 0
+    rows = json.loads((tmp_path / "network-tiny.json").read_text())["network"]
+    assert {row["side"] for row in rows} == {64, 96}
+    assert all(0 < row["peak_gib"] < 24 for row in rows)
+    capsys.readouterr()
+    for wrong, words in (
+        ([*network, "--side", "50"], "multiples of 32, not 50"),
+        (["bench", "--side", "64"], "--side goes with --network"),
+        (["bench", "--network", "huge"], "'huge'"),
+    ):
+        assert main(wrong) == 2
+        assert words in one_line_of(capsys)
     assert not (tmp_path / "none").exists()
 
 

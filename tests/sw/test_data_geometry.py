@@ -50,7 +50,7 @@ def test_corner_order_is_x_slowest_z_fastest():
 
 def test_projection_by_hand():
     camera = np.array([[100.0, 0, 64], [0, 100, 48], [0, 0, 1]])
-    pixels = project(np.array([[1.0, 0, 0], [0, -2, 0]]), camera, np.eye(3), np.array([0, 0, 10.0]))
+    pixels = project(camera, np.eye(3), [[0], [0], [10.0]], np.array([[1.0, 0, 0], [0, -2, 0]]))
     assert pixels.tolist() == [[74, 48], [64, 28]]
 
 

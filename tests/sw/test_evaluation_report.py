@@ -82,3 +82,18 @@ def test_plots_depend_on_the_figures_alone():
     good, same, bad = (evaluation_png(evaluated([share] * 6), "T") for share in (0.01, 0.01, 0.3))
     assert good == same
     assert good != bad
+
+
+def test_layer_differences_are_weighted_by_their_codes(tmp_path):
+    layers = [
+        {"name": "a", "codes": 300, "alone": 0.0, "accumulated": 0.5, "largest": 0},
+        {"name": "b", "codes": 100, "alone": 0.02, "accumulated": 0.1, "largest": 1},
+    ]
+    paths = write_evaluation(tmp_path, evaluated([0.01, 0.02]), layers=layers)
+    assert json.loads(paths[0].read_text())["layers"] == layers
+    page = paths[1].read_text()
+    assert "| **all** | 400 | 0.5000 | 40.0000 | 1 |" in page
+    assert "| b | 100 | 2.0000 | 10.0000 | 1 |" in page
+    write_evaluation(tmp_path, evaluated([0.01, 0.02]))
+    assert "layers" not in json.loads(paths[0].read_text())
+    assert "deployed integers" not in paths[1].read_text()

@@ -227,4 +227,7 @@ def test_evaluate_runs_the_integers(scene, quantised, tmp_path):
     assert evaluate(parse(add_evaluate, *chosen)) == 0
     table = json.loads((tmp_path / "evaluation.json").read_text())
     assert table["details"]["form"] == "3 bit, mode III, deployed integers"
+    assert table["layers"][0]["alone"] == 0
+    assert all(row["alone"] <= 0.05 for row in table["layers"])
+    assert "| head.p3.pose.conv2.input |" in (tmp_path / "evaluation.md").read_text()
     assert Path(table["details"]["network"]) == quantised

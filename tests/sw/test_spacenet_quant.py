@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from dataclasses import replace
 
 import numpy as np
@@ -20,11 +21,14 @@ from macram.quant import (
     differing_shares,
     host_codes,
     host_predictions,
+    layer_differences,
     lower_network,
     quantise,
     run_golden,
     training_codes,
 )
+from macram.quant.deploy import _Table
+from macram.quant.lower import code_table
 from macram.quant.network import QuantConv
 from macram.quant.program import AccumulateOp, AddOp, LookupOp, Program
 from macram.spec import ConvSpec, IntFormat
@@ -190,19 +194,58 @@ def test_every_quantiser_call_of_the_training_graph_is_a_tensor(deployed):
     assert len(accumulators) == 10
     assert set(training) == set(tensors) - accumulators
     found = {name: tensors[name].numpy() for name in training}
-    shares = differing_shares(training, found)
-    if net.backbone.precision == THREE:
-        # Over all codes: the order in which float sums are taken, which differs between machines and thread counts,
-        # flips single codes, and one flipped code is a large share of a map of four pixels.
-        differing = sum(share * found[name].size for name, share in shares.items())
-        assert differing < 0.02 * sum(found[name].size for name in shares)
-    # Codes that differ, differ by rounding: on the whole the two sides see the same picture.
-    assert np.median(list(shares.values())) < 0.5
     for name, codes in training.items():
         assert codes.shape == found[name].shape
-        span = max(int(codes.max() - codes.min()), 1)
-        if codes.size >= 256:  # the smallest maps are mostly chance
-            assert np.abs(codes - found[name]).mean() <= 0.1 * span, name
+    shares = differing_shares(training, found)
+    # Differences accumulate, and a network without training amplifies them; how large a layer's own are, the next
+    # test says. On the whole the two sides see the same picture.
+    assert np.median(list(shares.values())) < 0.5
+
+
+def test_every_layer_alone_differs_by_single_roundings(deployed):
+    """Given the deployed codes of its inputs, float32 leaves the exact code only beside a rounding boundary."""
+    net, program, image, _, tensors = deployed
+    training = training_codes(net, image, program, given=tensors)
+    codes = differing = 0
+    for name, mine in training.items():
+        gap = np.abs(mine - tensors[name].numpy())
+        assert gap.max() <= 1, name
+        codes, differing = codes + gap.size, differing + np.count_nonzero(gap)
+        # SPEED's factor of 0.1 puts every tenth code on a tie, which float32 decides by chance.
+        limit = 0.05 if name.endswith(".scaled") else 0.002
+        assert np.count_nonzero(gap) <= max(3, limit * gap.size), name
+    assert differing <= 2e-4 * codes
+
+
+def test_a_layer_that_differs_is_named_alone(deployed):
+    net, program, image, _, tensors = deployed
+    changed = copy.deepcopy(net)
+    with torch.no_grad():
+        changed.backbone.stages[1].units[0].reduce.bn.bias += 0.3
+    training = training_codes(changed, image, program, given=tensors)
+    shares = differing_shares(training, {name: tensors[name].numpy() for name in training})
+    # In a map of two pixels a single code is a large share.
+    changed_most = {name for name, share in shares.items() if share > 0.02 and training[name].size >= 256}
+    assert changed_most == {"stage2.unit1.reduce"}
+
+
+def test_the_report_counts_every_tensor_once_per_picture():
+    net = quantise(trained(), "III", THREE)
+    calibrate_steps(net, images())
+    pictures = list(images(2, seed=9))
+    rows = layer_differences(net, pictures)
+    program = lower_network(net, 64, 96)
+    assert [row["name"] for row in rows] == [
+        program.input,
+        *(op.name for op in program.ops if not isinstance(op, AccumulateOp)),
+    ]
+    sizes = {
+        name: value.numel()
+        for name, value in DeployedNetwork(program)(host_codes(net.backbone, pictures[0])).items()
+    }
+    assert all(row["codes"] == 2 * sizes[row["name"]] for row in rows)
+    assert all(row["alone"] <= 0.05 and row["largest"] <= 1 for row in rows)
+    assert rows[0]["alone"] == rows[0]["accumulated"] == 0  # made by the same code on both sides
 
 
 def test_host_predictions_are_the_training_graphs(deployed):
@@ -262,12 +305,39 @@ def test_signed_lookup_and_doubled_sum_by_hand():
             LookupOp("wide", "x", np.arange(8) - 4, -4),
             AddOp("once", "wide", "x", -np.arange(-4, 4), 3, floor=-4, low=-4),
             AddOp("sum", "x", "x", np.arange(-40, 40, 10), 3, floor=-4, low=-4),
+            LookupOp("half", "x", np.array([-2, -2, -1, 0, 0, 0, 1, 2]), -4),
+            LookupOp("bent", "x", np.array([5, 1, 2, 2, 7, 0, 3, 4]), -4),
+            LookupOp("same", "x", np.full(8, 1 << 25), -4),
         ),
     )  # fmt: skip
     out = both(program, codes)
     assert out["relu"].tolist() == [[[0, 6], [0, 0]]]
     assert not out["once"].any()
     assert out["sum"].tolist() == [[[-4, 3], [0, -4]]]
+    assert out["half"].tolist() == [[[-2, 2], [0, 0]]]
+    assert out["bent"].tolist() == [[[5, 4], [7, 2]]]
+    assert out["same"].tolist() == [[[1 << 25] * 2] * 2]
+
+
+@pytest.mark.parametrize("steps", [(1.0, 2.0), (0.013, 0.0207), (0.4, 0.01), (0.01, 3.0)])
+@pytest.mark.parametrize("form", [IntFormat(3), IntFormat(8), IntFormat(8, signed=True)])
+def test_tables_between_steps_need_no_gathering(steps, form):
+    """It would still be right, but several times slower."""
+    source, target = (LsqQuantizer(f, batched=True) for f in (form, IntFormat(3, signed=form.signed)))
+    for quantizer, step in zip((source, target), steps, strict=True):
+        quantizer.step.data.fill_(step)
+    table = code_table(source, target)
+    op = LookupOp("y", "x", table, form.lo)
+    codes = np.arange(form.lo, form.hi + 1).reshape(1, 1, -1)
+    both(Program("x", form, codes.shape, (op,)), codes)
+    assert (_Table(op).ratio is None) == (table.min() == table.max())
+
+
+def test_only_accumulators_are_kept_when_nothing_else_is_asked_for(deployed):
+    _, program, _, codes, tensors = deployed
+    sums = DeployedNetwork(program).accumulators(codes)
+    assert list(sums) == [op.name for op in program.ops if isinstance(op, AccumulateOp)]
+    assert all(torch.equal(value, tensors[name]) for name, value in sums.items())
 
 
 def test_a_doubled_branch_serves_four_places():

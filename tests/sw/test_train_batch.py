@@ -7,11 +7,12 @@ import pytest
 import torch
 from train_scene import CORNERS, DIAMETER, write_scene
 
+from macram.data.erase import grow
 from macram.front.image import IMAGENET_MEAN, IMAGENET_STD
 from macram.model import Levels, Prediction
 from macram.model.anchors import decode, map_sizes
 from macram.pose import Pose, project
-from macram.pose.warp import Draw, Warp, exact_warp, grow, warp_image, warp_mask
+from macram.pose.warp import Draw, Warp, exact_warp, warp_image, warp_mask
 from macram.train.augment import NONE, AugmentSettings
 from macram.train.config import DataSettings
 from macram.train.losses import LossWeights, focal_loss, object_space_loss

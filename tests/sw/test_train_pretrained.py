@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import copy
 from dataclasses import replace
+from pathlib import Path
 
+import numpy as np
 import pytest
 import torch
 from safetensors.torch import save_file
@@ -70,6 +72,45 @@ def test_pytorchcv_weights_reach_their_places(tmp_path, name):
     for mine, theirs in zip(loaded.values(), tensors.values(), strict=False):
         assert torch.equal(mine, theirs)
     assert len(loaded) == len(tensors) - 2
+
+
+def listed():
+    """Names and shapes of pytorchcv's state dict and, from it, the mean magnitude of every stage's output."""
+    lines = (Path(__file__).parent / "pytorchcv_darknet53.txt").read_text().splitlines()
+    rows = [line.split() for line in lines if line and not line.startswith("#")]
+    shapes = {name: tuple(map(int, size)) for name, *size in rows if not name.startswith("stage")}
+    return shapes, [float(row[1]) for row in rows if row[0].startswith("stage")]
+
+
+def filled(shapes):
+    """Weights that any NumPy draws alike, scaled so that signals neither vanish nor explode."""
+    rng = np.random.default_rng(53)
+    tensors = {}
+    for name, shape in shapes.items():
+        values = rng.standard_normal(shape, np.float32)
+        if name.endswith(("running_var", "bn.weight")):
+            values = 0.5 + 0.5 * abs(values)
+        if values.ndim == 4:
+            values *= values[0].size ** -0.5
+        counter = name.endswith("num_batches_tracked")
+        tensors[name] = torch.tensor(3) if counter else torch.from_numpy(np.asarray(values))
+    return tensors
+
+
+def picture():
+    return torch.from_numpy(np.random.default_rng(7).standard_normal((1, 3, 64, 96)))
+
+
+def test_the_real_pytorchcv_file_gives_the_real_outputs(tmp_path):
+    """Its names, its shapes, its forward pass: what pytorchcv itself computed stands in the list."""
+    shapes, magnitudes = listed()
+    assert len(shapes) == 314
+    net = SpaceNet(spacenet_config("paper", counterfactual=False), torch.Generator())
+    load_backbone(net, saved(tmp_path / "darknet53.pth", filled(shapes)))
+    assert int(net.backbone.init.bn.num_batches_tracked) == 3
+    with torch.no_grad():
+        maps = net.eval().double().backbone(picture())
+    assert [float(m.abs().mean()) for m in maps] == pytest.approx(magnitudes, rel=1e-9)
 
 
 @pytest.mark.parametrize("prefix", ["", "backbone."])

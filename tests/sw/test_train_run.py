@@ -13,11 +13,14 @@ from safetensors.torch import load_file
 from train_scene import write_scene
 
 from macram.model import ThreePaths
+from macram.model.fpn import PyramidTop
 from macram.quant import LsqConv2d
 from macram.train.checkpoint import load_model, read_tensors
 from macram.train.config import TrainConfig
 from macram.train.distributed import Processes
 from macram.train.loop import LAST, MODEL, Run
+from macram.train.mixed import exact_layers
+from macram.train.watch import Watch
 
 ALONE = Processes(0, 1, torch.device("cpu"))
 
@@ -174,13 +177,63 @@ def test_time_limit_ends_a_run_and_leaves_a_checkpoint(scene, tmp_path):
     assert load_model(tmp_path / "run" / MODEL)[1].history[-1]["step"] == run.step
 
 
-def test_a_diverged_run_says_so_and_keeps_the_last_checkpoint(scene, tmp_path):
-    run = Run(config(scene, tmp_path / "run"), ALONE, None)
-    with torch.no_grad():
-        run.stage.net.head.pose.weight.fill_(float("nan"))
-    with pytest.raises(RuntimeError, match=r"loss is nan at step 2; lower optimiser\.lr"):
+@pytest.mark.parametrize("free", [True, False])
+def test_a_diverged_run_says_so_and_keeps_the_last_checkpoint(free, scene, tmp_path):
+    run = Run(config(scene, tmp_path / "run", log={"every": 6}), ALONE, None)
+    _stop_after(run, 1)
+    before = (tmp_path / "run" / LAST).read_bytes()
+    run.watch.free = free  # where looking is not free, it happens at the lines of the log and before saving
+    weight, bad = run.stage.net.head.pose.weight, run._one_step
+
+    def spoilt():
+        if run.step == 2:
+            with torch.no_grad():
+                weight[0, 0] = float("nan")
+        return bad()
+
+    run._one_step = spoilt
+    with pytest.raises(
+        RuntimeError, match=r"step 3 has loss nan and gradient norm nan; .* lower optimiser\.lr"
+    ):
         run.train()
-    assert not (tmp_path / "run" / LAST).exists()
+    assert run.step == (2 if free else 6)
+    with pytest.raises(RuntimeError, match="step 3 has"):
+        run.save()
+    assert (tmp_path / "run" / LAST).read_bytes() == before
+
+
+def test_an_infinite_gradient_is_noticed_though_the_loss_is_a_number():
+    watch = Watch(torch.device("cpu"))
+    watch.note(1, torch.tensor(2.0), torch.tensor(1e30))
+    with pytest.raises(RuntimeError, match="step 2 has loss 1 and gradient norm inf"):
+        watch.note(2, torch.tensor(1.0), torch.tensor(float("inf")))
+
+
+@pytest.mark.parametrize("stage", ["wdr", "counterfactual"])
+def test_small_views_have_exact_gradients_in_mixed_precision(stage, scene, tmp_path, wdr):
+    """At 32 x 32 pixels P6 and P7 read maps one column wide, the convolution that bfloat16 gets wrong."""
+    run = Run(stage_config(stage, scene, tmp_path / "run", wdr), ALONE, None)
+    tops = {m for m in run.stage.module.modules() if isinstance(m, PyramidTop) and m.p7.weight.requires_grad}
+    made = []
+    handles = [
+        layer.register_forward_hook(lambda *args: made.append(args[2].dtype), prepend=True)
+        for top in tops
+        for layer in (top.p6, top.p7)
+    ]
+    run.stage.module.train()
+    run.autocast = torch.autocast("cpu", torch.bfloat16)
+    with exact_layers(run.stage.module, ALONE.device):
+        run._one_step()
+    for handle in handles:
+        handle.remove()
+    assert len(tops) == (3 if stage == "counterfactual" else 1)
+    assert made.count(torch.float32) == len(made) >= 2 * len(tops)
+    for top in tops:
+        for layer in (top.p6, top.p7):
+            assert torch.isfinite(layer.weight.grad).all()
+            beside = layer.weight.grad.clone()
+            beside[:, :, 1, 1] = 0
+            assert not beside.any()  # these taps have seen nothing but padding
 
 
 @pytest.mark.parametrize(

@@ -54,7 +54,7 @@ def _draw(camera, rotation, translation, size):
     back = np.repeat(np.repeat(ramp[None, :, None], size, 0), 3, 2)
     big = cv2.resize(back, None, fx=scale, fy=scale, interpolation=cv2.INTER_NEAREST)
     mask = np.zeros(big.shape[:2], np.uint8)
-    pixels = project(CORNERS, camera, rotation, translation) * scale - 0.5
+    pixels = project(camera, rotation, translation[:, None], CORNERS) * scale - 0.5
     depth = (CORNERS @ rotation.T + translation)[:, 2]
     for face in sorted(range(6), key=lambda f: -depth[list(FACES[f])].mean()):
         polygon = np.rint(pixels[list(FACES[face])]).astype(np.int32)

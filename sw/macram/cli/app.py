@@ -11,7 +11,15 @@ from importlib import import_module
 from pathlib import Path
 
 from macram import __version__
-from macram.cli import counts_verb, data_verb, designs_verb, evaluate_verb, predict_verb, train_verb
+from macram.cli import (
+    counts_verb,
+    data_verb,
+    designs_verb,
+    evaluate_verb,
+    export_verb,
+    predict_verb,
+    train_verb,
+)
 from macram.cli.status import BAD_INPUT, FAILED
 
 SEED = 2022
@@ -37,6 +45,7 @@ examples:
   macram layer layer.npz -o build/layer        run it on the array, compare with the golden model
   macram pack layer.npz -o build/packed        its BRAM images (.mem, .coe) and manifest
   macram rtl -o rtl                            the array's Verilog
+  macram export vivado -o build/vivado         RTL, Tcl and overlay for an Ultra96-V2
   macram data render -o data --tier mini       a rendered data set with poses, masks, backgrounds
   macram counts                                the paper's tables of operations and storage
   macram sim                                   full-size reference layer and odd shapes, a table at the end
@@ -92,6 +101,7 @@ def parser() -> argparse.ArgumentParser:
     _demo(verb)
     _layers(verb)
     _hardware(verb)
+    export_verb.add_export(verb)
     designs_verb.add_designs(verb)
     data_verb.add_data(verb)
     counts_verb.add_parser(verb)
@@ -198,8 +208,17 @@ def _hardware(verb: Verb) -> None:
     bench = verb(
         "bench",
         "bench_verb",
-        "measure build, simulation, golden model and packing",
-        "Medians of several runs, with the machine they ran on, into bench.json.",
+        "measure build, simulation, golden model, packing and inference",
+        "Medians of several runs, with the machine they ran on, into bench.json. With --network only the whole "
+        "network, random but calibrated, as float32 and as deployed integers, with its memory, into network-SIZE.json.",
+    )
+    bench.add_argument("--network", metavar="SIZE", help="paper, quarter, eighth, tiny or paper-front")
+    bench.add_argument(
+        "--side",
+        type=int,
+        action="append",
+        metavar="N",
+        help="pictures of N x N pixels, a multiple of 32; may be repeated (default: 256 and 512)",
     )
     bench.add_argument("--repeat", type=int, default=3, help="runs per measurement (default: 3)")
     _out(bench, "build/bench")

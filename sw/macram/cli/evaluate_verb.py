@@ -10,8 +10,11 @@ from macram.cli.status import OK
 
 DETAIL = (
     "Writes evaluation.json (every frame), evaluation.md, evaluation.png and samples.jpg. Pictures are brought to "
-    "the focal length of the training first."
+    "the focal length of the training first. A network in mode III is also compared with its deployed integers, layer "
+    "by layer, on a few frames; the table stands in evaluation.json and evaluation.md."
 )
+COMPARED = 4
+"""Frames on which training graph and integers are compared."""
 
 
 def add_evaluate(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
@@ -47,7 +50,7 @@ def evaluate(arguments: argparse.Namespace) -> int:
     from macram.train.checkpoint import load_model  # noqa: PLC0415
     from macram.train.distributed import join_processes  # noqa: PLC0415
     from macram.train.pack import thinned  # noqa: PLC0415
-    from macram.train.predict import Predictor, evaluate_frames  # noqa: PLC0415
+    from macram.train.predict import Predictor, compare_frames, evaluate_frames  # noqa: PLC0415
     from macram.train.samples import sample_sheet  # noqa: PLC0415
 
     net, card = load_model(arguments.checkpoint)
@@ -73,10 +76,23 @@ def evaluate(arguments: argparse.Namespace) -> int:
         "data": f"{arguments.data}, {split}",
         "solver": "EPnP RANSAC" + (" and Levenberg-Marquardt" if settings.refine else ""),
     }
-    paths = write_evaluation(arguments.out, evaluation, title=f"Evaluation on {split}", details=details)
+    layers = []
+    if card.mode == "III" and net.config.deployable:
+        console.print(f"comparing training graph and integers on {COMPARED} frames", highlight=False)
+        layers = compare_frames(predictor, thinned(frames, COMPARED))
+    paths = write_evaluation(
+        arguments.out, evaluation, title=f"Evaluation on {split}", details=details, layers=layers
+    )
     write_picture(arguments.out / "samples.jpg", sample_sheet(frames, found))
     table = evaluation.summary["fixed"]["all"]
     shares = ", ".join(f"ADD-{limit}d {table['add'][limit]:.2f} %" for limit in ("0.1", "0.2", "0.5"))
+    if layers:
+        codes = sum(row["codes"] for row in layers)
+        alone = sum(row["codes"] * row["alone"] for row in layers) / codes
+        console.print(
+            f"{100 * alone:.4f} % of {codes:,} codes differ, layer by layer, between training graph and integers",
+            highlight=False, soft_wrap=True,
+        )  # fmt: skip
     for line in (f"{table['frames']} frames, {table['misses']} without a pose: {shares}", str(paths[1])):
         console.print(line, highlight=False, markup=False, soft_wrap=True)
     return OK

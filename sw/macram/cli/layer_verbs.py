@@ -21,7 +21,9 @@ def layer(arguments: argparse.Namespace) -> int:
     streams = traffic(arguments)
     _folder(arguments)
     console = open_console()
-    run = run_layer_job(case, array=array, traffic=streams, stage=Stages(console))
+    # A waveform belongs to the report; without one nothing of the simulation is worth keeping.
+    job_dir = arguments.out / "simulation" if streams.waves else None
+    run = run_layer_job(case, array=array, traffic=streams, stage=Stages(console), job_dir=job_dir)
     write_run(run, arguments.out)
     console.print(run_summary(run), highlight=False, markup=False, soft_wrap=True)
     console.print(

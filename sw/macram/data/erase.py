@@ -6,14 +6,18 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-GROWTH = 5
-"""Side of the square by which the mask grows first, so that no rim of the target is left."""
+GROWTH = 2
+"""Pixels by which the mask grows on each side first, so that no rim of the target is left."""
+
+
+def grow(mask: NDArray[np.bool_], pixels: int = GROWTH) -> NDArray[np.bool_]:
+    """The mask with a border of ``pixels`` on each side of it (published: 2, a 5x5 square)."""
+    side = 2 * pixels + 1
+    return np.asarray(cv2.dilate(mask.view(np.uint8), np.ones((side, side), np.uint8))) > 0
 
 
 def erase(image: NDArray[np.uint8], mask: NDArray[np.bool_]) -> NDArray[np.uint8]:
-    """A copy of ``[H, W, 3]`` with black where the ``[H, W]`` mask, grown by a 5x5 square, is set."""
-    square = np.ones((GROWTH, GROWTH), np.uint8)
-    grown = cv2.dilate(mask.astype(np.uint8), square)
+    """A copy of ``[H, W, 3]`` with black where the grown ``[H, W]`` mask is set."""
     result = image.copy()
-    result[np.asarray(grown) > 0] = 0
+    result[grow(mask)] = 0
     return result

@@ -73,7 +73,7 @@ class Frame:
     @property
     def points(self) -> Floats:
         """``[K, 2]`` projected keypoints, pixels of `read_image`."""
-        return project(self.model.keypoints, self.camera, self.rotation, self.translation)
+        return project(self.camera, self.rotation, self.translation[:, None], self.model.keypoints)
 
     def read_image(self) -> Picture:
         """``[H, W, 3]`` RGB; a grey picture has three equal channels.

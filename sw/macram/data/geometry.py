@@ -30,18 +30,29 @@ def box_corners(low: ArrayLike, high: ArrayLike) -> Floats:
     )
 
 
-def project(points: Floats, camera: Floats, rotation: Floats, translation: Floats) -> Floats:
-    """Pixels ``[N, 2]`` of object points ``[N, 3]``; what lies behind the camera gives nonsense.
+def transform(R: ArrayLike, t: ArrayLike, pts: ArrayLike) -> Floats:
+    """Points in the camera frame: ``[..., 3, 3]``, ``[..., 3, 1]``, ``[n, 3]`` mm -> ``[..., n, 3]`` mm."""
+    rotation, translation = np.asarray(R, np.float64), np.asarray(t, np.float64)
+    points = np.asarray(pts, np.float64)
+    return np.asarray(points @ np.swapaxes(rotation, -1, -2) + np.swapaxes(translation, -1, -2))
+
+
+def project(K: ArrayLike, R: ArrayLike, t: ArrayLike, pts: ArrayLike) -> Floats:
+    """Pixels of model points; pixel centres are whole numbers plus a half.
 
     Args:
-        points: in the object's frame.
-        camera: ``[3, 3]`` intrinsics, pixels.
-        rotation: ``[3, 3]`` object to camera.
-        translation: ``[3]`` object's origin in the camera frame, same unit as ``points``.
+        K: ``[..., 3, 3]`` intrinsics, px.
+        R: ``[..., 3, 3]`` rotations.
+        t: ``[..., 3, 1]`` translations, mm.
+        pts: ``[n, 3]`` model points, mm.
+
+    Returns:
+        ``[..., n, 2]`` pixels; NaN for points at or behind the camera plane.
     """
-    seen = (points @ rotation.T + translation) @ camera.T
+    image = transform(R, t, pts) @ np.swapaxes(np.asarray(K, np.float64), -1, -2)
+    depth = image[..., 2:]
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(seen[:, :2] / seen[:, 2:])
+        return np.asarray(np.where(depth > 0, image[..., :2] / depth, np.nan))
 
 
 def bucket(depth: float, diameter: float) -> str:

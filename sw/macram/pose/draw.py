@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from macram.data.geometry import BOX_EDGES
-from macram.pose.rigid import Floats, Pose, camera_matrix, transform
+from macram.data.geometry import BOX_EDGES, transform
+from macram.pose.rigid import Floats, Pose, camera_matrix
 
 Image = NDArray[np.uint8]
 Colour = tuple[int, int, int]

@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from macram.pose.rigid import Floats, project, transform
+from macram.data.geometry import project, transform
+from macram.pose.rigid import Floats
 
 # Rows of the distance table at a time: it then stays in the cache, which is five times faster than whole.
 _ROWS = 64

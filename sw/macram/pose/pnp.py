@@ -8,7 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from macram.pose.rigid import Floats, Pose, camera_matrix, project
+from macram.data.geometry import project
+from macram.pose.rigid import Floats, Pose, camera_matrix
 
 # EPnP and P3P both need four points; fewer different ones leave the pose open.
 _FEWEST = 4

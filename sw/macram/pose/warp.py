@@ -11,16 +11,15 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from macram.data.geometry import project
 from macram.pose.pnp import epnp
-from macram.pose.rigid import Floats, Pose, camera_matrix, project, roll
+from macram.pose.rigid import Floats, Pose, camera_matrix, roll
 
 Image = NDArray[np.uint8]
 Mask = NDArray[np.bool_]
 
 # Value of pixels that no source pixel reaches, as published.
 BORDER = 128
-# The erased silhouette is the visible mask grown by this many pixels on each side.
-GROWTH = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,9 +128,3 @@ def _between_indices(matrix: Floats) -> Floats:
     indices = matrix[:2].copy()
     indices[:, 2] += 0.5 * indices[:, :2].sum(axis=1) - 0.5
     return indices
-
-
-def grow(mask: Mask, pixels: int = GROWTH) -> Mask:
-    """The mask with a border of ``pixels`` on each side of it (published: 2, a 5x5 square)."""
-    side = 2 * pixels + 1
-    return np.asarray(cv2.dilate(mask.view(np.uint8), np.ones((side, side), np.uint8))) > 0

@@ -1,8 +1,9 @@
 """Quantisation-aware training graph, calibration, and lowering to integers."""
 
 from macram.quant.calibrate import calibrate_batch_norm, calibrate_steps
+from macram.quant.compare import differing_shares, layer_differences, training_codes
 from macram.quant.convert import LsqConv2d, quantise
-from macram.quant.deploy import DeployedNetwork, differing_shares, host_codes, training_codes
+from macram.quant.deploy import DeployedNetwork, host_codes
 from macram.quant.fold import Affine, fold_batch_norm
 from macram.quant.lower import lower
 from macram.quant.lower_spacenet import host_predictions, lower_network
@@ -24,6 +25,7 @@ __all__ = [
     "fold_batch_norm",
     "host_codes",
     "host_predictions",
+    "layer_differences",
     "lower",
     "lower_network",
     "quantise",

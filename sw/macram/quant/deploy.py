@@ -1,30 +1,32 @@
-"""The deployed network in PyTorch, integer codes in and out, and its distance from the training graph."""
+"""The deployed network in PyTorch, integer codes in and out."""
 
 from __future__ import annotations
 
-from typing import Any, cast
+from collections.abc import Iterator
+from typing import cast
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
 from macram.golden import ShiftRequant
-from macram.quant.lsq import LsqQuantizer
 from macram.quant.network import QuantDarkNet53, QuantStage
-from macram.quant.program import AccumulateOp, AddOp, Codes, ConvOp, LookupOp, Program
+from macram.quant.program import AccumulateOp, AddOp, Codes, ConvOp, LookupOp, Op, Program
 
 SAFE_SUM = 1 << 20
 """Integer sums below this survive a float32 convolution, with a margin for any algorithm."""
 RADIX = 16
+EXACT = 1 << 24
+"""Integers below this are exact in float32."""
 
 
 class DeployedNetwork(nn.Module):
     """Runs a `Program` in PyTorch, independently of the golden model: torch convolutions, torch rounding.
 
-    Up to 4 output bits the codes come from the float64 formula; above, from the integer multiplier and shift
-    that define them there.
+    Up to 4 output bits the codes come from the float64 formula; above, from the multiplier and shift that
+    define them there. Between layers codes are carried in float32, channels last, where they are exact and
+    every kernel is fast.
     """
 
     def __init__(self, program: Program) -> None:
@@ -33,6 +35,8 @@ class DeployedNetwork(nn.Module):
         self.convs = nn.ModuleDict(
             {_key(op.name): _IntConv(op) for op in program.ops if isinstance(op, ConvOp | AccumulateOp)}
         )
+        self.tables = {op.name: _Table(op) for op in program.ops if isinstance(op, LookupOp | AddOp)}
+        self.last_use = {name: i for i, op in enumerate(program.ops) for name in _sources(op)}
 
     def forward(self, codes: Tensor) -> dict[str, Tensor]:
         """``[C, H, W]`` int64 codes of the program's input -> every tensor by name, int64, the input first.
@@ -40,20 +44,38 @@ class DeployedNetwork(nn.Module):
         Raises:
             ValueError: ``codes`` do not fit the program's input.
         """
+        made = {op.name: _whole(value) for op, value in self._results(codes)}
+        return {self.program.input: codes, **made}
+
+    def accumulators(self, codes: Tensor) -> dict[str, Tensor]:
+        """As `forward`, but only the sums that the host needs; other tensors go as soon as nothing reads them.
+
+        Raises:
+            ValueError: ``codes`` do not fit the program's input.
+        """
+        return {op.name: _whole(value) for op, value in self._results(codes) if isinstance(op, AccumulateOp)}
+
+    @torch.no_grad()
+    def _results(self, codes: Tensor) -> Iterator[tuple[Op, Tensor]]:
+        """Every operation with the ``[1, C, H, W]`` integers it makes, in floating point that holds them exactly."""
         self.program.check_input(codes.numpy())
-        tensors = {self.program.input: codes}
-        for op in self.program.ops:
+        tensors = {self.program.input: codes[None].float().contiguous(memory_format=torch.channels_last)}
+        for i, op in enumerate(self.program.ops):
             match op:
                 case ConvOp() | AccumulateOp():
-                    tensors[op.name] = self.convs[_key(op.name)](tensors[op.source])
+                    value = self.convs[_key(op.name)](tensors[op.source])
                 case LookupOp():
-                    tensors[op.name] = _looked_up(tensors[op.source], op)
+                    value = self.tables[op.name](tensors[op.source])
                 case AddOp():
-                    branch = _looked_up(tensors[op.branch], op)
+                    branch = self.tables[op.name](tensors[op.branch])
                     if op.doubled:
-                        branch = branch.repeat_interleave(2, 1).repeat_interleave(2, 2)
-                    tensors[op.name] = (tensors[op.stream] + branch).clamp(op.floor, op.ceiling)
-        return tensors
+                        branch = functional.interpolate(branch, scale_factor=2.0, mode="nearest")
+                    value = (tensors[op.stream] + branch).clamp_(op.floor, op.ceiling)
+            tensors[op.name] = value
+            yield op, value
+            for name in (*_sources(op), op.name):
+                if self.last_use.get(name, -1) <= i:
+                    tensors.pop(name, None)
 
 
 class _IntConv(nn.Module):
@@ -64,6 +86,8 @@ class _IntConv(nn.Module):
     """
 
     weight: Tensor
+    scale: Tensor
+    offset: Tensor
 
     def __init__(self, op: ConvOp | AccumulateOp) -> None:
         super().__init__()
@@ -72,36 +96,77 @@ class _IntConv(nn.Module):
         largest = max(-op.spec.input.lo, op.spec.input.hi)
         single = heaviest * max(RADIX, -(-largest // RADIX)) < SAFE_SUM
         self.split = single and heaviest * largest >= SAFE_SUM
-        weight = torch.from_numpy(op.weights)
-        self.register_buffer("weight", weight.float() if single else weight.double())
+        weight = torch.from_numpy(op.weights).to(torch.float32 if single else torch.float64)
+        self.register_buffer("weight", weight.contiguous(memory_format=torch.channels_last))
+        scale, offset = op.scale, op.offset
+        requant = op.requant if isinstance(op, ConvOp) else None
+        self.floor = isinstance(requant, ShiftRequant)
+        if isinstance(requant, ShiftRequant):
+            # floor((acc * mult + offset) / 2**shift); products and sums have 48 bits, so float64 never rounds.
+            scale, offset = (np.ldexp(v, -requant.shift) for v in (requant.mult, requant.offset))
+        self.register_buffer("scale", torch.from_numpy(scale).reshape(-1, 1, 1))
+        self.register_buffer("offset", torch.from_numpy(offset).reshape(-1, 1, 1))
 
-    def forward(self, codes: Tensor) -> Tensor:
-        """``[c_in, H, W]`` int64 -> ``[c_out, H/stride, W/stride]`` int64."""
+    def forward(self, x: Tensor) -> Tensor:
+        """``[1, c_in, H, W]`` -> ``[1, c_out, H/stride, W/stride]``: codes in float32, accumulators in float64."""
         op, spec = self.op, self.op.spec
-        x = codes.to(self.weight.dtype)[None]
+        x = x.to(self.weight.dtype)
         if self.split:
             high = (x / RADIX).floor_()
             x = torch.cat((high, x - RADIX * high))
         sums = functional.conv2d(x, self.weight, stride=spec.stride, padding=spec.padding)
         # Whatever kernel torch may choose errs by far less than a half, so rounding restores the integers.
         sums = sums.round_().double()
-        acc = sums[0].mul_(RADIX).add_(sums[1]) if self.split else sums[0]
+        acc = sums[:1].mul_(RADIX).add_(sums[1:]) if self.split else sums
         if isinstance(op, AccumulateOp):
-            return acc.to(torch.int64)
-        if isinstance(requant := op.requant, ShiftRequant):
-            total = acc.to(torch.int64).mul_(_column(requant.mult)).add_(_column(requant.offset))
-            return total.bitwise_right_shift_(_column(requant.shift)).clamp_(spec.output.lo, spec.output.hi)
-        scaled = acc.mul_(_column(op.scale)).add_(_column(op.offset))
-        return scaled.round_().clamp_(spec.output.lo, spec.output.hi).to(torch.int64)
+            return acc
+        acc = acc.mul_(self.scale).add_(
+            self.offset
+        )  # two roundings, as in the formula: no fused multiply-add
+        acc = acc.floor_() if self.floor else acc.round_()
+        return acc.clamp_(spec.output.lo, spec.output.hi).float()
 
 
-def _looked_up(codes: Tensor, op: LookupOp | AddOp) -> Tensor:
-    return torch.from_numpy(op.table)[codes - op.low if op.low else codes]
+class _Table:
+    """A table of codes, by ``clip(rint(ratio * code))`` in float32 if that gives every entry, else by gathering."""
+
+    def __init__(self, op: LookupOp | AddOp) -> None:
+        self.low, self.table = op.low, torch.from_numpy(op.table)
+        self.limits = int(op.table.min()), int(op.table.max())
+        self.ratio = _ratio(op.table, op.low)
+
+    def __call__(self, codes: Tensor) -> Tensor:
+        """``[1, C, H, W]`` -> the same shape."""
+        if self.ratio is None or codes.dtype != torch.float32:
+            entries = self.table[codes.long() - self.low]
+            return entries.float() if max(map(abs, self.limits)) < EXACT else entries.double()
+        return (codes * self.ratio).round_().clamp_(*self.limits)
 
 
-def _column(values: NDArray[np.int64] | NDArray[np.float64]) -> Tensor:
-    """``[c_out]`` -> ``[c_out, 1, 1]``."""
-    return torch.from_numpy(values).reshape(-1, 1, 1)
+def _ratio(table: Codes, low: int) -> float | None:
+    """A ratio whose rounded and clipped multiples are the table, tried on all of it; None if none is found."""
+    codes = np.arange(low, low + len(table))
+    limits = table.min(), table.max()
+    # Rounding to an entry bounds the ratio on both sides, being clipped to a limit on one.
+    below = np.where(table == limits[0], -np.inf, table - 0.5)[codes != 0]
+    above = np.where(table == limits[1], np.inf, table + 0.5)[codes != 0]
+    bounds = np.sort((below / codes[codes != 0], above / codes[codes != 0]), axis=0)
+    least, most = bounds[0].max(initial=-np.inf), bounds[1].min(initial=np.inf)
+    finite = [bound for bound in (least, most) if np.isfinite(bound)]
+    if not finite:
+        return None  # a constant
+    ratio = np.float32(np.mean(finite) if len(finite) == 2 else 2 * finite[0])
+    multiples = np.rint(codes.astype(np.float32) * ratio)
+    return float(ratio) if np.array_equal(multiples.clip(*limits), table) else None
+
+
+def _sources(op: Op) -> tuple[str, ...]:
+    return (op.stream, op.branch) if isinstance(op, AddOp) else (op.source,)
+
+
+def _whole(value: Tensor) -> Tensor:
+    """``[1, C, H, W]`` integers in floating point -> int64 ``[C, H, W]``."""
+    return value[0].to(torch.int64).contiguous()
 
 
 def host_codes(net: QuantDarkNet53, image: Tensor) -> Tensor:
@@ -117,53 +182,6 @@ def host_codes(net: QuantDarkNet53, image: Tensor) -> Tensor:
     entry = cast(QuantStage, net.stages[0]).entry
     with torch.no_grad():
         return entry.input_quant.to_codes(net.init(image[None]))[0]
-
-
-def training_codes(
-    net: nn.Module, image: Tensor, program: Program, depth: int | None = None
-) -> dict[str, Codes]:
-    """The codes that the float32 training graph rounds to, under the names of the program's tensors.
-
-    Sums that leave as accumulators are in no quantiser and so not among them.
-
-    Args:
-        net: quantised backbone or whole network, in evaluation mode.
-        image: ``[3, H, W]``, normalised.
-        program: lowered from ``net``; its tensors stand in the order of the graph's activation quantisers.
-        depth: of a backbone, stages to run, enough for the program.
-    """
-    names = [program.input, *(op.name for op in program.ops if not isinstance(op, AccumulateOp))]
-    recorded: list[Codes] = []
-
-    def record(module: nn.Module, args: tuple[Any, ...], output: Tensor) -> None:
-        assert isinstance(module, LsqQuantizer)
-        if len(recorded) < len(names):
-            recorded.append(module.to_codes(args[0])[0].numpy())
-
-    quantizers = [m for m in net.modules() if isinstance(m, LsqQuantizer) and m.batched]
-    handles = [quantizer.register_forward_hook(record) for quantizer in quantizers]
-    try:
-        with torch.no_grad():
-            net(image[None]) if depth is None else net(image[None], depth)
-    finally:
-        for handle in handles:
-            handle.remove()
-    return dict(zip(names, recorded, strict=True))
-
-
-def differing_shares(
-    training: dict[str, Codes], deployed: dict[str, NDArray[np.integer]]
-) -> dict[str, float]:
-    """Share of codes, 0 to 1, in which the training graph and the deployed network differ, per tensor.
-
-    Differences accumulate from layer to layer: each side continues with its own codes.
-
-    Raises:
-        ValueError: the two do not hold the same tensors.
-    """
-    if training.keys() != deployed.keys():
-        raise ValueError(f"tensors differ: {sorted(training.keys() ^ deployed.keys())}")
-    return {name: float(np.mean(training[name] != deployed[name])) for name in training}
 
 
 def _key(name: str) -> str:

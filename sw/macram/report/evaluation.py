@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +27,7 @@ def write_evaluation(
     *,
     title: str = "Evaluation",
     details: Mapping[str, str] | None = None,
+    layers: Sequence[Mapping[str, Any]] = (),
 ) -> list[Path]:
     """Write ``evaluation.json`` (all rows), ``evaluation.md`` and ``evaluation.png`` into an existing folder.
 
@@ -35,6 +36,7 @@ def write_evaluation(
         evaluation: from `macram.pose.evaluate`.
         title: heading of page and picture.
         details: what was evaluated (data, checkpoint, ...), printed as given.
+        layers: of a network with an integer form, rows of `macram.quant.layer_differences`.
 
     Returns:
         The three paths.
@@ -45,8 +47,10 @@ def write_evaluation(
     about = dict(details or {})
     paths = [folder / f"evaluation.{ending}" for ending in ("json", "md", "png")]
     table = {"title": title, "details": about, "summary": evaluation.summary, "rows": evaluation.rows}
+    if layers:
+        table["layers"] = [dict(row) for row in layers]
     write_bytes(paths[2], evaluation_png(evaluation, title))
-    write_text(paths[1], evaluation_markdown(evaluation.summary, title, about))
+    write_text(paths[1], evaluation_markdown(evaluation.summary, title, about) + layers_markdown(layers))
     write_json(paths[0], table)
     return paths
 
@@ -72,6 +76,28 @@ def evaluation_markdown(summary: Mapping[str, Any], title: str, details: Mapping
             lines += [f"{summary['outside']} frames lie outside the limits and count in *all* only.", ""]
         lines += [*_range_table(summary[division]), ""]
     return "\n".join([*lines, *_speed_table(summary["speed"])]) + "\n"
+
+
+def layers_markdown(layers: Sequence[Mapping[str, Any]]) -> str:
+    """Where the training graph's codes differ from the deployed integers; empty without layers."""
+    if not layers:
+        return ""
+    codes = sum(row["codes"] for row in layers)
+    lines = ["", "## Training graph (float32) against deployed integers", ""]
+    lines += [
+        f"{codes:,} codes of {len(layers)} tensors. *Alone*: every layer reads the deployed codes, so that the "
+        "difference is its own; *accumulated*: it reads what the training graph made.",
+        "",
+        "| tensor | codes | alone (%) | accumulated (%) | largest difference, alone |",
+        "| --- | ---: | ---: | ---: | ---: |",
+    ]
+    whole = {key: sum(row["codes"] * row[key] for row in layers) / codes for key in ("alone", "accumulated")}
+    largest = max(row["largest"] for row in layers)
+    shown = [{"name": "**all**", "codes": codes, "largest": largest, **whole}, *layers]
+    for row in shown:
+        shares = " | ".join(f"{100 * row[key]:.4f}" for key in ("alone", "accumulated"))
+        lines.append(f"| {row['name']} | {row['codes']:,} | {shares} | {row['largest']} |")
+    return "\n".join(lines) + "\n"
 
 
 def _range_table(ranges: Mapping[str, Any]) -> list[str]:

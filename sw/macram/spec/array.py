@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import operator
-import tomllib
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -330,6 +329,8 @@ class ArrayConfig:
         Raises:
             ValueError: naming the file and the fault.
         """
+        import tomllib  # noqa: PLC0415 - not before Python 3.11, and boards have 3.10 but read no TOML
+
         try:
             tables = tomllib.loads(Path(path).read_text(encoding="utf-8"))
             if "array" not in tables:

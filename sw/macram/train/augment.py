@@ -13,16 +13,15 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from macram.data.erase import GROWTH, grow
 from macram.pose.rigid import Floats, Pose, camera_matrix
 from macram.pose.warp import (
     BORDER,
-    GROWTH,
     Draw,
     Image,
     Mask,
     Warp,
     exact_warp,
-    grow,
     move_points,
     reference_warp,
     warp_image,

@@ -28,15 +28,17 @@ from macram.train.checkpoint import (
 from macram.train.config import TrainConfig
 from macram.train.distributed import Processes, share_batch_norm
 from macram.train.logs import Bar, Log
+from macram.train.mixed import autocast_helps, exact_layers
 from macram.train.objective import Objective
 from macram.train.optimiser import Follower, make_optimiser
 from macram.train.pack import pack_frames, thinned
 from macram.train.samples import sample_sheet
 from macram.train.schedule import crop_phase, learning_rate, progress
-from macram.train.stages import Stage, autocast_helps, exact_predictors
+from macram.train.stages import Stage
 from macram.train.stopping import Clock, stop_on_signal
 from macram.train.views import VIEWS, draw_views, frame_order
 from macram.train.warp import Cells, Warper
+from macram.train.watch import Watch
 
 LAST, MODEL = "last.safetensors", "model.safetensors"
 FREE_TO_CHANGE = ("log", "run.out", "run.init", "data.cache", "schedule.max_minutes")
@@ -79,6 +81,7 @@ class Run:
         self.stage.module.to(device).to(memory_format=torch.channels_last)  # type: ignore[call-overload]
         self.warper = Warper(self.frames, device, config.run.seed, counterfactual=self.stage.counterfactual)
         self.cells: dict[tuple[int, int], Cells] = {}
+        self.watch = Watch(device)
         if self.stage.card.mode and not resume:
             calibrate_steps(self.stage.net, self._plain(config.quant.calibration))
         keypoints = torch.tensor(self.stage.card.keypoints, device=device)
@@ -142,7 +145,7 @@ class Run:
             The network's file.
 
         Raises:
-            RuntimeError: the loss is no number any more; the last checkpoint stays.
+            RuntimeError: a loss or a gradient is no number; the last checkpoint stays.
             KeyboardInterrupt: interrupted; the checkpoint is written.
         """
         config, schedule, first = self.config, self.config.schedule, self.processes.first
@@ -154,7 +157,7 @@ class Run:
         saved = scored = self.minutes
         sums: dict[str, Tensor] = {}
         since, counted, summed = time.monotonic(), 0, 0
-        with stop_on_signal() as stop, exact_predictors(self.stage.net, self.processes.device):
+        with stop_on_signal() as stop, exact_layers(self.stage.module, self.processes.device):
             self.stage.module.train()
             while self.step < schedule.steps:
                 self.minutes = clock.minutes
@@ -171,14 +174,11 @@ class Run:
                 bar.advance(self.step)
                 if self.step % config.log.every and self.step < schedule.steps:
                     continue
+                self.watch.check()
                 means = {name: float(value) / summed for name, value in sums.items()}
                 means["loss"] = sum(means.get(n, 0.0) for n in self.loss_names)
                 now = time.monotonic()
                 rate = counted / max(now - since, 1e-9)
-                if not math.isfinite(means["loss"]):
-                    raise RuntimeError(
-                        f"the loss is {means['loss']} at step {self.step}; lower optimiser.lr and --resume"
-                    )
                 left = self._seconds_left(clock.minutes)
                 bar.update(self.step, means["loss"], rate, left)
                 row = {
@@ -235,10 +235,12 @@ class Run:
             )
         self.loss_names = tuple(losses)
         self.optimiser.zero_grad(set_to_none=True)
-        torch.stack(list(losses.values())).sum().backward()  # type: ignore[no-untyped-call]
+        loss = torch.stack(list(losses.values())).sum()
+        loss.backward()  # type: ignore[no-untyped-call]
         self.processes.sum_gradients(self.names)  # type: ignore[arg-type]
         limit = config.optimiser.clip or math.inf
         norm = nn.utils.clip_grad_norm_(self.names, limit)
+        self.watch.note(self.step + 1, loss, norm)
         self.optimiser.step()
         self.step += 1
         self.visits += images
@@ -264,7 +266,12 @@ class Run:
         return self.stage.net if self.average is None else self.average
 
     def save(self) -> None:
-        """Writes both files, each in one step."""
+        """Writes both files, each in one step.
+
+        Raises:
+            RuntimeError: a step since the last time went wrong; nothing is written.
+        """
+        self.watch.check()
         tensors = {f"net/{name}": value for name, value in self.stage.module.state_dict().items()}
         if self.average is not None:
             tensors |= {f"average/{name}": value for name, value in self.average.state_dict().items()}

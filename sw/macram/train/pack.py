@@ -16,9 +16,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from macram.data.erase import grow
 from macram.data.frame import Frame, Model
 from macram.data.open import open_dataset
-from macram.pose.warp import grow
 from macram.train.config import DataSettings
 
 LAYOUT = 1

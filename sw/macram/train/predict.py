@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Self, cast
+from typing import Any, Self, cast
 
 import cv2
 import numpy as np
@@ -28,7 +28,7 @@ from macram.pose import (
 )
 from macram.pose.metrics import sample_vertices
 from macram.pose.rigid import Floats, camera_matrix
-from macram.quant import DeployedNetwork, host_codes, host_predictions, lower_network
+from macram.quant import DeployedNetwork, host_codes, host_predictions, layer_differences, lower_network
 from macram.quant.network import QuantDarkNet53
 from macram.train.checkpoint import Card, load_model
 
@@ -152,7 +152,24 @@ class Predictor:
             self._programs[size] = DeployedNetwork(lower_network(self.net, *size))
         deployed = self._programs[size]
         codes = host_codes(cast(QuantDarkNet53, self.net.backbone), picture)
-        return host_predictions(deployed.program, deployed(codes))
+        return host_predictions(deployed.program, deployed.accumulators(codes))
+
+
+def compare_frames(predictor: Predictor, frames: Sequence[Frame]) -> list[dict[str, Any]]:
+    """Training graph against deployed integers on pictures of a data set, layer by layer.
+
+    Args:
+        predictor: of a network quantised in mode III.
+        frames: pictures of one size.
+
+    Returns:
+        Rows of `macram.quant.layer_differences`.
+
+    Raises:
+        ValueError: the network has no integer form, or a bad file.
+    """
+    pictures = [normalise(predictor.fit(frame.read_image(), frame.camera)[0]) for frame in frames]
+    return layer_differences(predictor.net.cpu(), [p for p in pictures if p.shape == pictures[0].shape])
 
 
 def evaluate_frames(

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import torch
 from torch import Tensor, nn
@@ -113,43 +110,3 @@ class Stage:
             output = self.module(batch.image, batch.erased)
             return objective.three_paths(output, batch, cells, images, surface=surface)
         return objective.factual(self.module(batch.image), batch, cells, images, surface=surface)
-
-
-def autocast_helps(device: torch.device) -> bool:
-    """Whether the processor multiplies bfloat16 in hardware."""
-    if device.type == "cuda":
-        return bool(torch.cuda.is_bf16_supported(including_emulation=False))
-    try:
-        flags = Path("/proc/cpuinfo").read_text()
-    except OSError:
-        return False
-    return "avx512_bf16" in flags or "amx_bf16" in flags
-
-
-@contextmanager
-def exact_predictors(net: SpaceNet, device: torch.device) -> Iterator[None]:
-    """While open, the head's last convolutions run in float32 inside autocast.
-
-    Their outputs are pixels after a multiplication by up to 512: eight bits of mantissa are too few.
-    """
-    opened: list[torch.autocast] = []
-
-    def before(module: nn.Module, args: tuple[Any, ...]) -> tuple[Any, ...]:
-        opened.append(torch.autocast(device.type, enabled=False))
-        opened[-1].__enter__()  # type: ignore[no-untyped-call]
-        return (args[0].float(),)
-
-    def after(module: nn.Module, args: tuple[Any, ...], output: Tensor) -> None:
-        opened.pop().__exit__(None, None, None)
-
-    handles = []
-    for layer in (net.head.classes, net.head.pose, net.head.surface):
-        if layer is None:
-            continue
-        handles.append(layer.register_forward_pre_hook(before))
-        handles.append(layer.register_forward_hook(after, always_call=True))
-    try:
-        yield
-    finally:
-        for handle in handles:
-            handle.remove()

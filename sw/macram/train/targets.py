@@ -2,43 +2,22 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
-
 import torch
 from torch import Tensor
 
 from macram.model.anchors import cell_centres, map_sizes
 from macram.model.config import Levels
+from macram.pose.correspond import TOTAL, level_quota
 
 POSITIVE, BACKGROUND, IGNORED = 1, 0, -1
-QUOTA = 10
-"""Positive cells of one object, over all levels, before rounding."""
+QUOTA = TOTAL
+"""Positive cells of one object, over all levels, before rounding: as many as are read at inference."""
 
 
 def target_size(keypoints: Tensor) -> float:
     """Longer side of the box around projected keypoints ``[K, 2]``, plus one pixel."""
     extent = keypoints.amax(0) - keypoints.amin(0)
     return float(extent.max()) + 1.0
-
-
-def level_quotas(
-    size: float, anchors: Sequence[int], *, spread: float = 1.0, total: int = QUOTA
-) -> tuple[int, ...]:
-    """Positive cells per level of an object of ``size`` pixels.
-
-    A level weighs ``exp(-spread * log2(size / anchor)^2)``; each quota is the rounded share of ``total``, so
-    that they may add up to one more or one less.
-
-    Raises:
-        ValueError: ``size`` is not positive and finite.
-    """
-    if not (size > 0 and math.isfinite(size)):
-        raise ValueError(f"size must be positive and finite, not {size!r}")
-    distances = [math.log2(size / anchor) ** 2 for anchor in anchors]
-    nearest = min(distances)  # keeps the weights of extreme sizes from vanishing together
-    weights = [math.exp(-spread * (distance - nearest)) for distance in distances]
-    return tuple(math.floor(total * weight / sum(weights) + 0.5) for weight in weights)
 
 
 def cells_in_mask(mask: Tensor, stride: int, size: tuple[int, int]) -> Tensor:
@@ -74,7 +53,7 @@ def draw_labels(
     Returns:
         int8 ``[rows, columns]`` per level.
     """
-    quotas = level_quotas(target_size(keypoints), levels.anchors)
+    quotas = level_quota(target_size(keypoints), levels.anchors).tolist()
     sizes = map_sizes(mask.shape[0], mask.shape[1], len(levels.strides))
     labels = []
     for stride, size, quota in zip(levels.strides, sizes, quotas, strict=True):

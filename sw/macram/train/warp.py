@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from torch import Tensor
 from torch.nn import functional
 
+from macram.data.erase import GROWTH
 from macram.front.image import IMAGENET_MEAN, IMAGENET_STD
 from macram.model import Levels
 from macram.model.anchors import cell_centres, map_sizes
-from macram.pose.warp import BORDER, GROWTH
+from macram.pose.warp import BORDER
 from macram.train.pack import PackedFrames
 from macram.train.views import Views
 

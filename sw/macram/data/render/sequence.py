@@ -114,7 +114,7 @@ def render_sequence(
             mask=mask,
             rotation=rotation,
             translation=translation,
-            corners=project(corners(), matrix, rotation, translation),
+            corners=project(matrix, rotation, translation[:, None], corners()),
             bucket=bucket(float(translation[2]), DIAMETER_MM),
             sun=np.round(sun, 9),
             extent=_extent(matrix, rotation, translation),

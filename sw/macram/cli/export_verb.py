@@ -1,0 +1,106 @@
+"""``macram export``: a folder that a vendor tool builds."""
+
+from __future__ import annotations
+
+import argparse
+import textwrap
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from macram.cli.stages import Stages
+    from macram.layer_file import LayerCase
+    from macram.spec import ArrayConfig
+
+EPILOG = """\
+then, on a machine with Vivado:
+  cd DIR && vivado -mode batch -source build.tcl     bitstream, .hwh and reports
+  cd DIR && vivado -mode batch -source ooc.tcl       timing and utilisation of the array alone
+and on a board with PYNQ, in a copy of DIR/overlay:
+  python3 selftest.py                                registers, weights, error recovery
+  python3 run_reference.py                           the layer, every code compared, cycles and milliseconds
+
+DIR/README.md says what is in the folder and what has not been run on silicon.
+"""
+
+
+def add_export(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
+    """Registers the verb."""
+    export = verb(
+        "export",
+        "export_verb",
+        "write a Vivado project with an overlay for the Ultra96-V2",
+        "",
+    )
+    export.description = textwrap.fill(
+        "Write RTL, memory images, Tcl scripts (IP packaging, block design, build), constraints and a PYNQ overlay "
+        "folder with driver, self-test and the golden codes of one layer. The same array and layer give the "
+        "same bytes.",
+        100,
+    )
+    export.epilog = EPILOG
+    export.formatter_class = argparse.RawDescriptionHelpFormatter
+    export.add_argument("target", choices=["vivado"], help="the tool to export for")
+    export.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder to write")
+    export.add_argument(
+        "--config", type=Path, metavar="CONFIG.toml", help="array to build (default: the reference array)"
+    )
+    layer = export.add_mutually_exclusive_group()
+    layer.add_argument(
+        "--layer",
+        type=Path,
+        metavar="FILE.npz",
+        help="layer whose weights the bitstream holds and the board runs (default: random codes of a seeded layer "
+        "that fills the array)",
+    )
+    layer.add_argument(
+        "--reference",
+        action="store_true",
+        help="the reference layer with the codes of the first example image (needs PyTorch)",
+    )
+
+
+def export(arguments: argparse.Namespace) -> int:
+    """Write the folder."""
+    # Late: the grammar above is loaded by every command, NumPy and Amaranth are not.
+    from macram.cli.console import open_console  # noqa: PLC0415
+    from macram.cli.stages import Stages  # noqa: PLC0415
+    from macram.export import export_vivado  # noqa: PLC0415
+    from macram.spec import ArrayConfig  # noqa: PLC0415
+
+    array = ArrayConfig() if arguments.config is None else ArrayConfig.from_toml(arguments.config)
+    console = open_console()
+    stages = Stages(console)
+    case = _case(arguments, array, stages)
+    manifest = export_vivado(array, case, arguments.out, stage=stages)
+    clocks = " and ".join(manifest["clocks"])
+    console.print(
+        f"array {array.name} with clocks {clocks}: {len(manifest['sha256'])} files in {arguments.out}; next, "
+        f"there: vivado -mode batch -source build.tcl",
+        highlight=False,
+        markup=False,
+        soft_wrap=True,
+    )
+    return 0
+
+
+def _case(arguments: argparse.Namespace, array: ArrayConfig, stages: Stages) -> LayerCase:
+    if arguments.reference:
+        from macram.cli.app import SEED  # noqa: PLC0415
+        from macram.demo import reference_front  # noqa: PLC0415
+
+        with stages("image through the network to the layer"):
+            return reference_front(None, checkpoint=None, seed=SEED)[1].case
+    if arguments.layer is None:
+        from macram.golden import selftest_case  # noqa: PLC0415
+
+        return selftest_case(array)
+    from macram.layer_file import LayerCase  # noqa: PLC0415
+
+    case = LayerCase.load(arguments.layer)
+    try:
+        array.check_admits(case.spec)
+    except ValueError as error:
+        raise ValueError(f"{arguments.layer}: {error}") from error
+    return case

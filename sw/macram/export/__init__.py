@@ -1,0 +1,5 @@
+"""Hand-off to vendor tools: a folder that Vivado builds in one command, and the overlay it fills."""
+
+from macram.export.vivado import export_vivado
+
+__all__ = ["export_vivado"]

@@ -1,0 +1,335 @@
+"""The exported folder: its files, and its Tcl run on a model of Vivado."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import vivado_model
+from vivado_model import Vivado, VivadoError
+
+from macram.cli import main
+from macram.export import export_vivado
+from macram.export.ports import find_interfaces, read_ports
+from macram.export.settings import constraints_xdc, settings_tcl
+from macram.golden import random_case, selftest_case
+from macram.pack import pack_layer, read_packed
+from macram.spec import ArrayConfig, ConvSpec
+
+TINY = ArrayConfig(
+    name='tiny "array" [x] $y', units=8, rows=2, drain=2, max_c_in=16, max_c_out=32, weight_depth=64,
+    row_words=32, stream_bits=32,
+)  # fmt: skip
+STREAM = ("tdata", "tvalid", "tready", "tlast")
+
+
+@pytest.fixture(scope="module")
+def exported(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("export") / "vivado"
+    export_vivado(TINY, selftest_case(TINY), folder)
+    return folder
+
+
+@pytest.fixture
+def folder(exported, tmp_path):
+    return Path(shutil.copytree(exported, tmp_path / "vivado"))
+
+
+def add_ports(folder, declarations):
+    """Give the top level more ports, as other arrays have them, and write what depends on its ports again."""
+    path = folder / "rtl/macram_top.v"
+    text = path.read_text()
+    names = "".join(f"{line.split()[-1]}, " for line in declarations)
+    text = text.replace("module macram_top(", f"module macram_top({names}", 1)
+    text = text.replace(");\n", ");\n" + "".join(f"  {line};\n" for line in declarations), 1)
+    path.write_text(text)
+    ports = read_ports(text, "macram_top")
+    sources = [f"rtl/{name}" for name in ("macram_ram.v", "macram_lutram.v", "macram_unit.v", "macram_top.v")]
+    (folder / "settings.tcl").write_text(settings_tcl(TINY, ports, sources))
+    (folder / "constraints.xdc").write_text(constraints_xdc(ports))
+
+
+def session(folder):
+    vivado = Vivado(folder)
+    vivado.stream_bits = TINY.stream_bits
+    return vivado
+
+
+# ---- the files -----------------------------------------------------------------------------------------
+
+
+def test_the_manifest_has_the_hash_of_every_file(exported):
+    manifest = json.loads((exported / "manifest.json").read_text())
+    found = {path.relative_to(exported).as_posix() for path in exported.rglob("*") if path.is_file()}
+    assert found == set(manifest["sha256"]) | {"manifest.json"}
+    for name, digest in manifest["sha256"].items():
+        assert hashlib.sha256((exported / name).read_bytes()).hexdigest() == digest
+    assert ArrayConfig.from_dict(manifest["array"]) == TINY
+
+
+def test_the_same_array_and_layer_give_the_same_bytes(exported, tmp_path):
+    again = export_vivado(TINY, selftest_case(TINY), tmp_path / "again")
+    assert again == json.loads((exported / "manifest.json").read_text())
+
+
+def test_memory_images_are_those_of_the_layer(exported):
+    packed, wanted = read_packed(exported / "mem"), pack_layer(selftest_case(TINY), TINY)
+    assert (packed.weights == wanted.weights).all()
+    assert (packed.requant == wanted.requant).all()
+
+
+def test_simulation_models_and_waivers_stay_away(tmp_path):
+    array = ArrayConfig.from_dict(TINY.to_dict() | {"engine": "dsp48e2"})
+    export_vivado(array, selftest_case(array), tmp_path / "vivado")
+    names = {path.name for path in (tmp_path / "vivado/rtl").iterdir()}
+    assert not names & {"DSP48E2.v", "lint.vlt"}
+    assert "DSP48E2 #" in (tmp_path / "vivado/rtl/macram_unit.v").read_text(), (
+        "the vendor's primitive is used"
+    )
+    assert "module DSP48E2" not in "".join(p.read_text() for p in (tmp_path / "vivado/rtl").iterdir())
+
+
+def test_a_second_export_replaces_the_first_and_leaves_the_products(folder):
+    for name in ("overlay/macram.bit", "reports/macram_timing.rpt", "work/x"):
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text("by Vivado")
+    case = random_case(ConvSpec(3, 5, 4, 6), 1)
+    smaller = ArrayConfig.from_dict(TINY.to_dict() | {"units": 4, "drain": 1, "name": "four"})
+    export_vivado(smaller, case, folder)
+    assert (folder / "mem/unit_003.mem").exists()
+    assert not (folder / "mem/unit_004.mem").exists()
+    assert (folder / "overlay/macram.bit").read_text() == "by Vivado"
+    assert (read_packed(folder / "mem").array, (folder / "work/x").exists()) == (smaller, True)
+
+
+def test_somebody_elses_folder_is_left_alone(tmp_path, capsys):
+    (tmp_path / "thesis.txt").write_text("mine")
+    assert main(["export", "vivado", "-o", str(tmp_path)]) == 2
+    assert "holds something other than an earlier export; choose a new" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
+
+
+def test_the_command(tmp_path, capsys):
+    config = tmp_path / "array.toml"
+    config.write_text(
+        "[array]\nunits = 8\nrows = 2\ndrain = 2\nmax_c_in = 16\nmax_c_out = 32\nweight_depth = 64\nrow_words = 32\n"
+    )
+    layer = tmp_path / "layer.npz"
+    random_case(ConvSpec(3, 5, 4, 6), 1).save(layer)
+    arguments = ["export", "vivado", "-o", str(tmp_path / "out"), "--config", str(config), "--layer"]
+    assert main([*arguments, str(layer)]) == 0
+    assert "vivado -mode batch -source build.tcl" in capsys.readouterr().out
+    random_case(ConvSpec(40, 5, 4, 6), 1).save(layer)
+    before = (tmp_path / "out/manifest.json").read_bytes()
+    assert main([*arguments, str(layer)]) == 2
+    assert "layer.npz: c_in must be at most 16, not 40" in capsys.readouterr().err
+    assert (tmp_path / "out/manifest.json").read_bytes() == before
+    assert not list(tmp_path.glob(".out-*")), "nothing half-written stays"
+
+
+# ---- the scripts ---------------------------------------------------------------------------------------
+
+
+def test_the_tcl_lints(exported):
+    tclint = [Path(sys.executable).with_name("tclint"), "--style-line-length", "120"]
+    written = [exported / "build.tcl", *exported.glob("[!bs]*.tcl"), exported / "constraints.xdc"]
+    assert len(written) == 6
+    # In the file that is generated, an interface stands on one line however long.
+    for files in (written, ["--ignore", "line-length", exported / "settings.tcl"]):
+        done = subprocess.run([*tclint, *files], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+    faulty = exported.parent / "faulty.tcl"
+    faulty.write_text("set x [list 1 2\n")
+    assert subprocess.run([*tclint, faulty], capture_output=True, check=False).returncode
+
+
+@pytest.mark.parametrize("infers", [True, False])
+@pytest.mark.parametrize(
+    ("boards", "chosen"),
+    [
+        ([], ""),
+        (["em.avnet.com:ultra96v2:part0:1.0"], "em.avnet.com:ultra96v2:part0:1.0"),
+        (
+            [
+                "avnet.com:ultra96v2:part0:1.2",
+                "avnet.com:ultra96v2:part0:1.10",
+                "avnet.com:ultra96v1:part0:9",
+            ],
+            "avnet.com:ultra96v2:part0:1.10",
+        ),
+    ],
+)
+def test_build(folder, infers, boards, chosen):
+    vivado = session(folder)
+    vivado.infers, vivado.boards = infers, boards
+    vivado.source("build.tcl")
+    assert vivado.properties.get(("project", "board_part"), "") == chosen
+    assert vivado.automated == bool(chosen)
+    assert vivado.cells["ps"] == "zynq_ultra_ps_e"
+    assert "xilinx.com:ip:zynq_ultra_ps_e:3.5" in str(vivado.calls), "the newest core is taken"
+    assert vivado.links["dma_image/M_AXIS_MM2S"] == "macram_0/s_axis"
+    assert vivado.links["dma_param/M_AXIS_MM2S"] == "macram_0/s_axis_param"
+    assert vivado.links["macram_0/m_axis"] == "dma_image/S_AXIS_S2MM"
+    assert vivado.windows["ps/Data"][0] == ("macram_0/s_axi/reg0", 0xA0000000, 0x1000)
+    assert "macram_wrapper.bit" in (folder / "overlay/macram.bit").read_text()
+    assert "macram.hwh" in (folder / "overlay/macram.hwh").read_text()
+    assert (folder / "macram.xsa").exists()
+    assert {path.name for path in (folder / "reports").iterdir()} == {
+        f"macram_{kind}.rpt" for kind in ("timing", "util", "power", "drc")
+    }
+
+
+def test_a_build_can_be_repeated(folder):
+    for _ in range(2):
+        session(folder).source("build.tcl")
+
+
+def test_build_with_a_doubled_clock(folder):
+    add_ports(folder, ["input aclk2x"])
+    vivado = session(folder)
+    vivado.source("build.tcl")
+    assert vivado.nets["macram_0/aclk2x"] == "clocks/clk_out2"
+    assert vivado.nets["macram_0/aclk"] == vivado.nets["dma_image/m_axi_mm2s_aclk"] == "clocks/clk_out1"
+    again = session(folder)
+    again.source("ooc.tcl")
+    assert again.clocks == {"aclk": 10.0, "aclk2x": 5.0}
+
+
+def test_build_with_a_further_stream(folder):
+    directions = zip(("input [31:0]", "input", "output", "input"), STREAM, strict=True)
+    add_ports(folder, [f"{direction} s_axis_residual_{name}" for direction, name in directions])
+    vivado = session(folder)
+    vivado.source("build.tcl")
+    assert vivado.links["dma_residual/M_AXIS_MM2S"] == "macram_0/s_axis_residual"
+    assert len(vivado.windows["ps/Data"]) == 4
+
+
+def test_out_of_context(folder):
+    vivado = session(folder)
+    vivado.source("ooc.tcl")
+    assert vivado.clocks == {"aclk": 10.0}
+    assert {path.name for path in (folder / "reports").iterdir()} == {
+        "ooc_synth_util.rpt", "ooc_util.rpt", "ooc_timing.rpt",
+    }  # fmt: skip
+
+
+def test_what_goes_wrong_in_vivado_is_said(folder):
+    vivado = session(folder)
+    vivado.parts = {"xc7z020clg400-1"}
+    with pytest.raises(
+        VivadoError, match="knows neither xczu3eg-sbva484-1-i nor xczu3eg-sbva484-1-e; install device support"
+    ):
+        vivado.source("build.tcl")
+    vivado = session(folder)
+    vivado.parts = {"xczu3eg-sbva484-1-e"}
+    vivado.slack = -0.1
+    with pytest.raises(VivadoError, match=r"timing is not met \(setup slack -0.1 ns\)"):
+        vivado.source("build.tcl")
+    with pytest.raises(VivadoError, match="timing is not met"):
+        vivado.source("ooc.tcl")
+    assert not (folder / "overlay/macram.bit").exists(), "a bitstream that misses timing is not handed on"
+    vivado = session(folder)
+    vivado.failing = {"impl_1"}
+    with pytest.raises(VivadoError, match="impl_1 stopped: route_design ERROR; see work"):
+        vivado.source("build.tcl")
+
+
+@pytest.mark.parametrize(
+    ("script", "right", "wrong", "message"),
+    [
+        ("settings.tcl", "AWPROT s_axi_awprot", "AWPROT s_axi_awprt", "no port s_axi_awprt"),
+        ("settings.tcl", "TLAST s_axis_param_tlast", "", "maps"),
+        ("settings.tcl", "m_axis axis master", "m_axis axis slave", "is an output in a slave"),
+        ("settings.tcl", "0xA0010000 0x10000", "0xA0000000 0x10000", "overlaps macram_0"),
+        ("settings.tcl", "0xA0020000", "0x80020000", "out of reach"),
+        ("settings.tcl", "stream_bits) 32", "stream_bits) 64", "differ: axis 64"),
+        ("settings.tcl", "clock_mhz) 100", "clock_mhz) 90", "pl_clk0 runs at 90"),
+        ("package_ip.tcl", "ACTIVE_LOW", "ACTIVE_HIGH", "low active"),
+        ("package_ip.tcl", "mem *.mem", "rtl *.v", "no memory images"),
+        ("design.tcl", "fan_out reset/peripheral_aresetn $held", "", "aresetn is open"),
+        ("design.tcl", "lappend clocked $dma/m_axi_s2mm_aclk", "", "m_axi_s2mm_aclk is open"),
+        ("design.tcl", "lappend memory $dma/M_AXI_S2MM", "", "M_AXI_S2MM is open"),
+        ("design.tcl", "lappend spaces $dma/Data_S2MM", "", "Data_S2MM does not see"),
+        ("design.tcl", "PSU__USE__M_AXI_GP1 0", "PSU__USE__M_AXI_GP1 1", "maxihpm1_fpd_aclk is open"),
+        ("design.tcl", "dma_image\"}]", "dma_param\"}]", "the image and its result have different DMAs"),
+        ("design.tcl", "c_include_sg 0", "c_include_sg 1", "m_axi_sg_aclk is open"),
+        ("design.tcl", "c_sg_length_width", "c_length_width", "no parameter c_length_width"),
+        ("design.tcl", "HP0_DDR_HIGH HP0_LPS_OCM HP0_QSPI", "HP0_DDR_HIGH HP0_LPS_OCM", "HP0_QSPI is neither"),
+        ("design.tcl", "ps/saxihp0_fpd_aclk}", "ps/saxihp0_aclk}", "no pin saxihp0_aclk"),
+        ("design.tcl", "reset/ext_reset_in", "reset/aux_reset_in", "ext_reset_in is open"),
+        ("build.tcl", "set_property top macram_wrapper [current_fileset]", "", "the wrapper is not the top"),
+    ],
+)  # fmt: skip
+def test_the_model_notices_faults(folder, script, right, wrong, message):
+    path = folder / script
+    text = path.read_text()
+    assert right in text
+    path.write_text(text.replace(right, wrong))
+    with pytest.raises(VivadoError, match=message):
+        session(folder).source("build.tcl")
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "message"),
+    [
+        (
+            "CLKOUT2_REQUESTED_OUT_FREQ [expr {2",
+            "CLKOUT2_REQUESTED_OUT_FREQ [expr {3",
+            "clocks of 100.0 and 300.0",
+        ),
+        ("CLKOUT2_MATCHED_ROUTING true", "CLKOUT2_MATCHED_ROUTING false", "not matched"),
+        ("clocks/clk_out2 {macram_0/aclk2x}", "ps/pl_clk0 {macram_0/aclk2x}", "two sources of clocks"),
+        ("fan_out clocks/locked {reset/dcm_locked}", "", "nothing waits"),
+        ("set clock clocks/clk_out1", "set clock ps/pl_clk0", "two sources of clocks"),
+        ("RESET_TYPE ACTIVE_LOW", "RESET_TYPE ACTIVE_HIGH", "wrong polarity"),
+    ],
+)
+def test_the_model_notices_faults_of_two_clocks(folder, right, wrong, message):
+    add_ports(folder, ["input aclk2x"])
+    path = folder / "design.tcl"
+    text = path.read_text()
+    assert right in text
+    path.write_text(text.replace(right, wrong))
+    with pytest.raises(VivadoError, match=message):
+        session(folder).source("build.tcl")
+
+
+# ---- ports and interfaces ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda ports: ports.pop("aclk"), "no port aclk"),
+        (lambda ports: ports.pop("aresetn"), "no port aresetn"),
+        (lambda ports: ports.pop("s_axi_wstrb"), "no port s_axi_wstrb of the interface s_axi"),
+        (lambda ports: ports.pop("m_axis_tlast"), "no port m_axis_tlast"),
+        (
+            lambda ports: ports.update(irq=ports["aclk"]),
+            "port irq of the top level belongs to no bus interface",
+        ),
+        (lambda ports: [ports.pop(f"s_axis_{name}") for name in STREAM], "no stream s_axis"),
+        (lambda ports: ports.update(m_axis_tvalid=ports["aclk"]), "is a master by its name"),
+        (
+            lambda ports: ports.update({f"m_axis_b_{name}": ports[f"m_axis_{name}"] for name in STREAM}),
+            "no place for the stream m_axis_b",
+        ),
+    ],
+)
+def test_a_top_level_that_does_not_fit_is_refused(exported, change, message):
+    ports = read_ports((exported / "rtl/macram_top.v").read_text(), "macram_top")
+    assert set(ports) == set(vivado_model.verilog_ports(exported / "rtl/macram_top.v"))
+    find_interfaces(ports)
+    change(ports)
+    with pytest.raises(ValueError, match=message):
+        find_interfaces(ports)
+
+
+def test_a_file_without_the_module_is_refused():
+    with pytest.raises(ValueError, match="no module macram_top"):
+        read_ports("module other(a);\nendmodule\n", "macram_top")
