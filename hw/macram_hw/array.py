@@ -6,6 +6,7 @@ from amaranth.lib.wiring import In, Out, connect
 
 from macram.spec import ArrayConfig, Error
 from macram_hw.drain import Drain
+from macram_hw.engine_2x import Interleaver
 from macram_hw.gearbox import Beat, EmitGearbox, IngestGearbox
 from macram_hw.line_buffer import LineBuffer
 from macram_hw.loader import Loader
@@ -150,6 +151,9 @@ class Array(wiring.Component):
         m.d.comb += [drain.finished.eq(control.en & control.last), drain.info.eq(info)]
 
         # ---- units, chained so that chain q brings channels q, q + drain, ... to its head ----------------
+        if config.paired_rows:
+            m.submodules.interleaver = interleaver = Interleaver(config)
+            m.d.comb += interleaver.word.eq(lines.word)
         units = [PimUnit(config, index=index) for index in range(config.units)]
         for index, unit in enumerate(units):
             m.submodules[f"unit{index:03d}"] = unit
@@ -161,6 +165,8 @@ class Array(wiring.Component):
                 unit.control.eq(control),
                 unit.shift.eq(drain.shift),
             ]
+            if config.paired_rows:
+                m.d.comb += [unit.pixels_2x.eq(interleaver.pixels), unit.second.eq(interleaver.second)]
             if index < config.drain:
                 m.d.comb += drain.heads[index].eq(unit.chain_o)
             if index + config.drain < config.units:

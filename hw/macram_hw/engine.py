@@ -124,7 +124,7 @@ class DspEngine(RowEngine):
             dsp.d.eq(Cat(*(_field(tap[:low_bits], at) for tap in self.taps))),
             dsp.b.eq(Cat(*(_field(Cat(Const(0, low_bits), tap[-1]), at) for tap in self.taps))),
         ]
-        # A reset keeps these chains in flip-flops: as shift registers they would cost LUTs.
+        # Kept in flip-flops: as shift registers these chains would cost LUTs.
         parity = Signal(LANES - 1)
         m.d.comb += [
             parity[k - 1].eq(
@@ -135,7 +135,9 @@ class DspEngine(RowEngine):
             for k in range(1, LANES)
         ]
         for stage in range(ENGINE_LATENCY["dsp48e2"]):
-            delayed = Signal.like(parity, name=f"parity{stage}")
+            delayed = Signal.like(
+                parity, name=f"parity{stage}", reset_less=True, attrs={"keep": "true"}
+            )
             m.d.sync += delayed.eq(parity)
             parity = delayed
         borrow = Signal(LANES)

@@ -15,7 +15,9 @@ __all__ = ["Top"]
 class Top(wiring.Component):
     """The array behind AXI4-Lite registers, two AXI4-Stream inputs and one output.
 
-    ``aclk`` is the only clock, ``aresetn`` the active-low synchronous reset. A soft reset stops a run
+    ``aclk`` is the clock of every port, ``aresetn`` the active-low synchronous reset. Arrays with paired rows also have
+    ``aclk2x``, twice as fast and in phase: every rising edge of ``aclk`` is one of ``aclk2x``. Only sums without a state
+    run on it, so it needs no reset. A soft reset stops a run
     and empties
     the array; registers, weights and requantiser parameters stay.
 
@@ -30,6 +32,7 @@ class Top(wiring.Component):
         self._registers = AxiLite(ADDRESS_BITS).flip().members
         super().__init__({
             "aclk": In(1),
+            **({"aclk2x": In(1)} if config.paired_rows else {}),
             "aresetn": In(1),
             **{f"s_axi_{name}": member for name, member in self._registers.items()},
             **_stream_members("s_axis", In, width),
@@ -42,6 +45,9 @@ class Top(wiring.Component):
         m = Module()
         m.domains.sync = sync = ClockDomain()
         m.d.comb += [sync.clk.eq(self.aclk), sync.rst.eq(~self.aresetn)]
+        if config.paired_rows:
+            m.domains.double = double = ClockDomain(reset_less=True)
+            m.d.comb += double.clk.eq(self.aclk2x)
 
         m.submodules.registers = registers = AxiLiteRegisters()
         soft_reset = Signal()

@@ -6,6 +6,7 @@ from amaranth.lib.wiring import In, Out
 
 from macram.spec import GROUP, LANES, TAPS, ArrayConfig
 from macram_hw.engine import add_with_carry, adder_tree, hdl_shape, lane_shape, make_engine
+from macram_hw.engine_2x import PairedEngine, pixels_2x
 
 __all__ = [
     "AccumulateControl", "PimUnit", "UnitCore", "WeightWrite", "control_delay", "unit_latency", "unit_signature",
@@ -39,8 +40,10 @@ class WeightWrite(data.StructLayout):
 
 def _datapath_members(config: ArrayConfig) -> dict:
     results = data.ArrayLayout(hdl_shape(config.accumulator), GROUP)
+    paired = {"pixels_2x": In(pixels_2x(config)), "second": In(1)} if config.paired_rows else {}
     return {
         "activations": In(config.line_word_bits),
+        **paired,
         "control": In(AccumulateControl(config)),
         "shift": In(1),
         "chain_i": In(results),
@@ -72,6 +75,8 @@ class UnitCore(wiring.Component):
     Members:
         weight: In, one weight word, one cycle before the activations it belongs to.
         activations: In, 4 pixels x ``rows`` channels, pixel-major.
+        pixels_2x, second: In, the paired rows' activations and phase as from `Interleaver` for the same word; only
+            if there are paired rows, whose share of ``activations`` is not used then.
         control: In, `AccumulateControl`, `control_delay` cycles after the activations it belongs to.
         shift: In, load the result register from ``chain_i``.
         chain_i, chain_o: the result register's neighbours; 4 accumulators, output column ``4 g - 1`` first.
@@ -90,27 +95,43 @@ class UnitCore(wiring.Component):
         m.d.sync += weight.eq(self.weight)
 
         tap_bits, act_bits = TAPS * config.weight.bits, config.input.bits
-        engines = []
-        for row in range(config.rows):
+        # Addends of each lane, and the bits to be added to them.
+        lanes: list[list] = [[] for _ in range(LANES)]
+        carries: list[list] = [[] for _ in range(LANES)]
+        for first in range(0, config.paired_rows, 2 * PairedEngine.PAIRS):
+            rows = min(config.paired_rows - first, 2 * PairedEngine.PAIRS)
+            m.submodules[f"paired{first}"] = engine = PairedEngine(config, rows // 2)
+            m.d.comb += [
+                engine.taps.eq(weight[first * tap_bits : (first + rows) * tap_bits]),
+                engine.second.eq(self.second),
+                *(engine.pixels[pair].eq(self.pixels_2x[first // 2 + pair]) for pair in range(rows // 2)),
+            ]
+            for k in range(LANES):
+                lanes[k] += engine.lanes[0][k], engine.lanes[1][k]
+                if k in engine.CARRIES:
+                    carries[k] += engine.carries[0][k], engine.carries[1][k]
+        for row in range(config.paired_rows, config.rows):
             engine = make_engine(config.engine, config)
             m.submodules[f"engine{row}"] = engine
-            engines.append(engine)
             m.d.comb += engine.taps.eq(weight[row * tap_bits : (row + 1) * tap_bits])
             for pixel in range(GROUP):
                 at = (pixel * config.rows + row) * act_bits
                 m.d.comb += engine.pixels[pixel].eq(self.activations[at : at + act_bits])
+            for k in range(LANES):
+                lanes[k].append(engine.lanes[k])
+                if k in engine.CARRIES:
+                    carries[k].append(engine.carries[k])
 
         sums = [
             Signal(lane_shape(config, config.rows), name=f"sum{k}", reset_less=True) for k in range(LANES)
         ]
-        # N engines have N - 1 adders between them; the carry left over rides into the accumulator.
+        # N addends have N - 1 adders between them; the carry left over rides into the accumulator.
         spare: list = []
         for k, total in enumerate(sums):
-            carries = [engine.carries[k] for engine in engines if k in engine.CARRIES]
-            m.d.sync += total.eq(adder_tree([engine.lanes[k] for engine in engines], carries))
-            spare.append(Signal(name=f"carry{k}", reset_less=True) if carries else None)
-            if carries:
-                m.d.sync += spare[k].eq(carries[0])
+            m.d.sync += total.eq(adder_tree(lanes[k], carries[k]))
+            spare.append(Signal(name=f"carry{k}", reset_less=True) if carries[k] else None)
+            if carries[k]:
+                m.d.sync += spare[k].eq(carries[k][0])
 
         control = self.control
         carry_shape = data.ArrayLayout(acc, LANES - GROUP)
@@ -197,6 +218,11 @@ class PimUnit(wiring.Component):
             core.weight.eq(read.data),
             core.activations.eq(self.activations),
             core.control.eq(self.control),
+            *(
+                getattr(core, name).eq(getattr(self, name))
+                for name in ("pixels_2x", "second")
+                if config.paired_rows
+            ),
             core.shift.eq(self.shift),
             core.chain_i.eq(self.chain_i),
             self.chain_o.eq(core.chain_o),

@@ -25,11 +25,13 @@ MAX_THRESHOLD_BITS = 4
 """Up to this many output bits the requantiser compares with thresholds."""
 MAX_SIDE = 0xFFFF
 """Largest height and width of an image."""
-ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4}
+ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4, "dsp48e2_2x": 5}
 """Row-engine kinds and their latencies in cycles. ``portable``: plain multipliers. ``dsp48e2``: twelve products in
-one DSP slice of UltraScale+, for weights and unsigned activations of up to 3 bits."""
+one DSP slice of UltraScale+, for weights and unsigned activations of up to 3 bits. ``dsp48e2_2x``: the same slice at
+twice the array's clock, serving two rows."""
+DSP_KINDS = ("dsp48e2", "dsp48e2_2x")
 DSP_BITS = 3
-"""Most bits of an operand of the ``dsp48e2`` kind: its lanes lie 7 bits apart."""
+"""Most bits of an operand of the `DSP_KINDS`: their lanes lie 7 bits apart."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,12 +82,16 @@ class ArrayConfig:
                 raise ValueError(f"{key} must be in {lo}..{hi}, not {value}")
         if self.engine not in ENGINE_LATENCY:
             raise ValueError(f"engine must be one of {', '.join(ENGINE_LATENCY)}, not {self.engine!r}")
-        if self.engine == "dsp48e2" and (
+        if self.engine in DSP_KINDS and (
             self.weight.bits > DSP_BITS or self.input.bits > DSP_BITS or self.input.signed
         ):
             raise ValueError(
-                f"engine dsp48e2 takes weights and unsigned inputs of up to {DSP_BITS} bits, "
+                f"engine {self.engine} takes weights and unsigned inputs of up to {DSP_BITS} bits, "
                 f"not {self.weight} and {self.input}; use portable"
+            )
+        if self.paired_rows % 2:
+            raise ValueError(
+                f"engine {self.engine} serves rows in pairs: make rows an even number, not {self.rows}"
             )
         for key in ("units", "rows", "drain"):
             value = getattr(self, key)
@@ -173,6 +179,11 @@ class ArrayConfig:
     def engine_latency(self) -> int:
         """Cycles from activations to lane sums."""
         return ENGINE_LATENCY[self.engine]
+
+    @property
+    def paired_rows(self) -> int:
+        """Rows served two by two by engines at twice the array's clock; 0 if the array has one clock."""
+        return self.rows if self.engine == "dsp48e2_2x" else 0
 
     @property
     def peak_macs(self) -> int:
