@@ -16,7 +16,8 @@ class Interleaver(wiring.Component):
     One for the whole array, so that the units need no multiplexers for activations and half the broadcast wires.
     Domain ``double`` runs at twice the frequency of ``sync``; rising edges of ``sync`` are rising edges of ``double``.
     Every cycle of ``sync`` thus has two halves. A flip-flop that toggles with ``sync``, seen once more by ``double``,
-    tells them apart; nothing is ever reset, so no reset can shift the halves.
+    tells them apart; nothing is ever reset, so no reset can shift the halves. Whatever the flip-flops start with, two
+    cycles after the clocks have started the halves are right.
 
     Latency is half a cycle, throughput one word per cycle; it never stalls.
 
