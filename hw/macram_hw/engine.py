@@ -135,9 +135,7 @@ class DspEngine(RowEngine):
             for k in range(1, LANES)
         ]
         for stage in range(ENGINE_LATENCY["dsp48e2"]):
-            delayed = Signal.like(
-                parity, name=f"parity{stage}", reset_less=True, attrs={"keep": "true"}
-            )
+            delayed = Signal.like(parity, name=f"parity{stage}", reset_less=True, attrs={"keep": "true"})
             m.d.sync += delayed.eq(parity)
             parity = delayed
         borrow = Signal(LANES)

@@ -13,11 +13,11 @@ __all__ = ["Interleaver", "PairedEngine"]
 class Interleaver(wiring.Component):
     """Hands the activations of the paired rows over to the double clock: even rows first, then odd rows.
 
-    One for the whole array, so that the units need no multiplexers for activations and half the broadcast wires.
-    Domain ``double`` runs at twice the frequency of ``sync``; rising edges of ``sync`` are rising edges of ``double``.
-    Every cycle of ``sync`` thus has two halves. A flip-flop that toggles with ``sync``, seen once more by ``double``,
-    tells them apart; nothing is ever reset, so no reset can shift the halves. Whatever the flip-flops start with, two
-    cycles after the clocks have started the halves are right.
+    One for the whole array, so that the units need no multiplexers for activations and half the broadcast
+    wires. Domain ``double`` runs at twice the frequency of ``sync``; rising edges of ``sync`` are rising edges of
+    ``double``. Every cycle of ``sync`` thus has two halves. A flip-flop that toggles with ``sync``, seen once
+    more by ``double``, tells them apart; nothing is ever reset, so no reset can shift the halves. Whatever the
+    flip-flops start with, two cycles after the clocks have started the halves are right.
 
     Latency is half a cycle, throughput one word per cycle; it never stalls.
 
@@ -60,13 +60,14 @@ def pixels_2x(config: ArrayConfig) -> data.ArrayLayout:
 class PairedEngine(wiring.Component):
     """Up to `PAIRS` DSP slices in domain ``double`` and their lane sums, for twice as many rows.
 
-    The slices are `DspEngine`, so packing and decoding are the same. Their lanes are added up at the double clock as
-    well, one adder deep per register, which halves the adders. What crosses to ``sync`` are two sums per lane, of the
-    even and of the odd rows. The even one waits one half, so that both cross at the same edge, from register to register.
+    The slices are `DspEngine`, so packing and decoding are the same. Their lanes are added up at the double clock
+    as well, one adder deep per register, which halves the adders. What crosses to ``sync`` are two sums per lane,
+    of the even and of the odd rows. The even one waits one half, so that both cross at the same edge, from
+    register to register.
 
-    Latency from ``taps`` (and the word that `Interleaver` got) to ``lanes`` is ``ENGINE_LATENCY["dsp48e2_2x"]`` cycles
-    of ``sync``, throughput two rows per pair and cycle; it never stalls. In halves of a cycle: 1 operands, 4 the slice,
-    `LEVELS` adders, 1 wait, 1 crossing.
+    Latency from ``taps`` (and the word that `Interleaver` got) to ``lanes`` is ``ENGINE_LATENCY["dsp48e2_2x"]``
+    cycles of ``sync``, throughput two rows per pair and cycle; it never stalls. In halves of a cycle: 1 operands, 4
+    the slice, `LEVELS` adders, 1 wait, 1 crossing.
 
     Members:
         pixels: In, domain ``double``, 4 activations per pair, as from `Interleaver`. second: In, likewise.

@@ -15,13 +15,12 @@ __all__ = ["Top"]
 class Top(wiring.Component):
     """The array behind AXI4-Lite registers, two AXI4-Stream inputs and one output.
 
-    ``aclk`` is the clock of every port, ``aresetn`` the active-low synchronous reset. Arrays with paired rows also have
-    ``aclk2x``, twice as fast and in phase: every rising edge of ``aclk`` is one of ``aclk2x``. Only sums without a state
-    run on it, so it needs no reset. A soft reset stops a run
-    and empties
-    the array; registers, weights and requantiser parameters stay.
+    ``aclk`` is the clock of every port, ``aresetn`` the active-low synchronous reset. Arrays with paired rows
+    also have ``aclk2x``, twice as fast and in phase: every rising edge of ``aclk`` is one of ``aclk2x``. Nothing
+    that runs on it keeps a state, so it needs no reset. A soft reset stops a run and empties the array; registers,
+    weights and requantiser parameters stay.
 
-    Members: ``aclk``, ``aresetn``, ``s_axi_*`` (registers), ``s_axis_*`` (image), ``s_axis_param_*``
+    Members: ``aclk``, ``aclk2x``, ``aresetn``, ``s_axi_*`` (registers), ``s_axis_*`` (image), ``s_axis_param_*``
     (weights and
     requantiser parameters), ``m_axis_*`` (codes).
     """

@@ -17,7 +17,9 @@ def operands(rng, rows):
     """Random words between the four that drive every lane of every row to its ends, in any order."""
     extremes = [(7, -4), (7, 3), (0, -4), (0, 3)]
     cases = [
-        (np.full((rows, GROUP), pixel), np.full((rows, TAPS), tap)) for pixel, tap in extremes for _ in range(4)
+        (np.full((rows, GROUP), pixel), np.full((rows, TAPS), tap))
+        for pixel, tap in extremes
+        for _ in range(4)
     ]
     cases += [(rng.integers(0, 8, (rows, GROUP)), rng.integers(-4, 4, (rows, TAPS))) for _ in range(48)]
     random.Random(int(rng.integers(1 << 31))).shuffle(cases)
@@ -61,5 +63,7 @@ def test_even_and_odd_rows_are_summed_apart(rows, offset):
 
 
 def test_rows_come_in_pairs():
-    with pytest.raises(ValueError, match="engine dsp48e2_2x serves rows in pairs: make rows an even number, not 1"):
+    with pytest.raises(
+        ValueError, match="engine dsp48e2_2x serves rows in pairs: make rows an even number, not 1"
+    ):
         ArrayConfig(engine="dsp48e2_2x", rows=1)

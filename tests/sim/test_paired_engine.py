@@ -19,9 +19,7 @@ from macram_sim import build, runner
 from macram_sim.array import build_array, simulate
 
 HERE = Path(__file__).parent
-ARRAY = replace(
-    ArrayConfig.from_toml(HERE.parents[1] / "configs" / "tiny.toml"), engine="dsp48e2_2x", rows=4
-)
+ARRAY = replace(ArrayConfig.from_toml(HERE.parents[1] / "configs" / "tiny.toml"), engine="dsp48e2_2x", rows=4)
 # The same in every worker of a parallel run; SEED=... tries others.
 SEED = int(os.environ.get("SEED") or 2022)
 WAIVE = """`verilator_config
@@ -53,7 +51,11 @@ def test_both_rows_over_all_operands(toolchain, tmp_path):
     [
         ((16, 16, 5, 7), "min", {}),
         ((9, 15, 4, 8), "extremes", {}),
-        ((16, 13, 5, 9), "uniform", {"gaps": "bursty", "stalls": "random", "snoop": True, "random_init": True}),
+        (
+            (16, 13, 5, 9),
+            "uniform",
+            {"gaps": "bursty", "stalls": "random", "snoop": True, "random_init": True},
+        ),
         ((7, 32, 6, 4), "uniform", {"gaps": "random", "stalls": "bursty", "load": "stream"}),
     ],
 )
