@@ -39,7 +39,7 @@ class ArrayConfig:
     Attributes:
         name: goes into the manifest and into the names of reports.
         units: PIM units; unit u owns output channels u, u + units, ...
-        rows: row engines per unit; each takes one input channel per cycle.
+        rows: row engines per unit; each takes one input channel per cycle. Any number, not only a power of two.
         weight, input, output: code formats.
         max_c_in: input channels the accumulator is sized for.
         max_c_out: output channels of one pass (requantiser and carry memories).
@@ -87,7 +87,7 @@ class ArrayConfig:
                 f"engine dsp48e2 takes weights and unsigned inputs of up to {DSP_BITS} bits, "
                 f"not {self.weight} and {self.input}; use portable"
             )
-        for key in ("units", "rows", "drain"):
+        for key in ("units", "drain"):
             value = getattr(self, key)
             if value & (value - 1):
                 raise ValueError(f"{key} must be a power of two, not {value}")
