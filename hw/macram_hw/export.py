@@ -100,10 +100,13 @@ def export_verilog(config: ArrayConfig, directory: Path, *, mem_dir: Path | None
         "macram_top.v": component_verilog(Top(config), TOPLEVEL),
         "macram_unit.v": component_verilog(UnitCore(config), UNIT),
     }
-    order = ["lint.vlt", "macram_ram.v", "macram_lutram.v", "macram_unit.v", "macram_top.v"]
-    texts |= {name: model_path(name).read_text() for name in order[:3]}
+    by_hand = ["lint.vlt", "macram_ram.v", "macram_lutram.v", "macram_add3.v"]
+    if "soft" in config.row_kinds:
+        by_hand.append("macram_product.v")
+    order = [*by_hand, "macram_unit.v", "macram_top.v"]
+    texts |= {name: model_path(name).read_text() for name in by_hand}
     texts["macram_top.f"] = "".join(f"{name}\n" for name in order)
-    if config.engine == "dsp48e2":
+    if "dsp48e2" in config.row_kinds:
         # For simulation only, so not in the file list.
         order.insert(1, "DSP48E2.v")
         texts["DSP48E2.v"] = model_path("DSP48E2.v").read_text()

@@ -25,11 +25,13 @@ MAX_THRESHOLD_BITS = 4
 """Up to this many output bits the requantiser compares with thresholds."""
 MAX_SIDE = 0xFFFF
 """Largest height and width of an image."""
-ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4}
+ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4, "soft": 1}
 """Row-engine kinds and their latencies in cycles. ``portable``: plain multipliers. ``dsp48e2``: twelve products in
-one DSP slice of UltraScale+, for weights and unsigned activations of up to 3 bits."""
-DSP_BITS = 3
-"""Most bits of an operand of the ``dsp48e2`` kind: its lanes lie 7 bits apart."""
+one DSP slice of UltraScale+. ``soft``: products as tables in the LUTs of UltraScale+. The last two take weights and
+unsigned activations of up to 3 bits."""
+PACKED_BITS = 3
+"""Most bits of an operand of the kinds other than ``portable``: the lanes in a DSP slice lie 7 bits apart, and the
+operands of a product in LUTs fill the inputs of one LUT."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +51,7 @@ class ArrayConfig:
         ingest: channel blocks written to the line buffer per cycle (one bank each).
         drain: channels requantised per cycle, times 4 pixels.
         engine: kind of the row engines, see `ENGINE_LATENCY`.
+        soft_rows: so many row engines of each unit, the last ones, are ``soft`` instead.
 
     Raises:
         ValueError: a field is out of range or two fields do not fit together.
@@ -68,6 +71,7 @@ class ArrayConfig:
     ingest: int = 2
     drain: int = 4
     engine: str = "portable"
+    soft_rows: int = 0
 
     def __post_init__(self) -> None:
         limits = {
@@ -80,11 +84,15 @@ class ArrayConfig:
                 raise ValueError(f"{key} must be in {lo}..{hi}, not {value}")
         if self.engine not in ENGINE_LATENCY:
             raise ValueError(f"engine must be one of {', '.join(ENGINE_LATENCY)}, not {self.engine!r}")
-        if self.engine == "dsp48e2" and (
-            self.weight.bits > DSP_BITS or self.input.bits > DSP_BITS or self.input.signed
-        ):
+        most = 0 if self.engine == "soft" else self.rows - 1
+        if not 0 <= self.soft_rows <= most:
             raise ValueError(
-                f"engine dsp48e2 takes weights and unsigned inputs of up to {DSP_BITS} bits, "
+                f"soft_rows must be in 0..{most} with {self.rows} rows of engine {self.engine}, not {self.soft_rows}"
+            )
+        packed = [kind for kind in dict.fromkeys(self.row_kinds) if kind != "portable"]
+        if packed and (self.weight.bits > PACKED_BITS or self.input.bits > PACKED_BITS or self.input.signed):
+            raise ValueError(
+                f"engine {packed[0]} takes weights and unsigned inputs of up to {PACKED_BITS} bits, "
                 f"not {self.weight} and {self.input}; use portable"
             )
         for key in ("units", "drain"):
@@ -170,9 +178,19 @@ class ArrayConfig:
         return GROUP * self.drain
 
     @property
+    def row_kinds(self) -> tuple[str, ...]:
+        """Kind of every row engine of a unit."""
+        return (self.engine,) * (self.rows - self.soft_rows) + ("soft",) * self.soft_rows
+
+    @property
+    def xilinx(self) -> bool:
+        """Whether the array is for UltraScale+, so that its primitives may be used throughout."""
+        return any(kind != "portable" for kind in self.row_kinds)
+
+    @property
     def engine_latency(self) -> int:
-        """Cycles from activations to lane sums."""
-        return ENGINE_LATENCY[self.engine]
+        """Cycles from activations to lane sums: those of the slowest kind, for which the others wait."""
+        return max(ENGINE_LATENCY[kind] for kind in self.row_kinds)
 
     @property
     def peak_macs(self) -> int:
