@@ -143,7 +143,9 @@ class Array(wiring.Component):
 
         # ---- the step's control follows it to the accumulators -------------------------------------------
         control, info = sequencer.step.control, sequencer.step.info
-        for stage in range(LineBuffer.LATENCY + control_delay(config)):
+        for stage in range(LineBuffer.LATENCY + control_delay(config) + 1):
+            # The units hold the last stage themselves.
+            unit_control = control
             control_next = Signal.like(control, name=f"control{stage}")
             info_next = Signal.like(info, name=f"info{stage}", reset_less=True)
             m.d.sync += [control_next.eq(control), info_next.eq(info)]
@@ -162,7 +164,7 @@ class Array(wiring.Component):
                 unit.write_en.eq(loader.unit_en[index]),
                 unit.write.eq(loader.weight),
                 unit.activations.eq(lines.word),
-                unit.control.eq(control),
+                unit.control.eq(unit_control),
                 unit.shift.eq(drain.shift),
             ]
             if config.paired_rows:

@@ -13,7 +13,7 @@ from amaranth.hdl import ClockDomain, ClockSignal, Instance, ResetSignal, Value
 from amaranth.lib import memory
 from amaranth.lib.wiring import In
 
-from macram.spec import DSP_KINDS, ArrayConfig
+from macram.spec import ArrayConfig
 from macram.spec.registers import register_table
 from macram_hw.top import Top
 from macram_hw.unit import UnitCore
@@ -106,10 +106,13 @@ def export_verilog(config: ArrayConfig, directory: Path, *, mem_dir: Path | None
         "macram_top.v": component_verilog(Top(config), TOPLEVEL),
         "macram_unit.v": component_verilog(UnitCore(config), UNIT),
     }
-    order = ["lint.vlt", "macram_ram.v", "macram_lutram.v", "macram_unit.v", "macram_top.v"]
-    texts |= {name: model_path(name).read_text() for name in order[:3]}
+    by_hand = ["lint.vlt", "macram_ram.v", "macram_lutram.v", "macram_add3.v"]
+    if "soft" in config.row_kinds:
+        by_hand.append("macram_product.v")
+    order = [*by_hand, "macram_unit.v", "macram_top.v"]
+    texts |= {name: model_path(name).read_text() for name in by_hand}
     texts["macram_top.f"] = "".join(f"{name}\n" for name in order)
-    if config.engine in DSP_KINDS:
+    if {"dsp48e2", "dsp48e2_2x"} & set(config.row_kinds):
         # For simulation only, so not in the file list.
         order.insert(1, "DSP48E2.v")
         texts["DSP48E2.v"] = model_path("DSP48E2.v").read_text()

@@ -6,6 +6,7 @@ from amaranth.lib.wiring import In, Out
 
 from macram.spec import GROUP, MAX_SIDE, TAPS, ArrayConfig, Error
 from macram.spec.registers import MODE_3X3
+from macram_hw.divide import ceil_div_constant
 
 __all__ = ["LayerShape", "ShapeDecoder"]
 
@@ -56,7 +57,7 @@ class ShapeDecoder(wiring.Component):
         blocks = Signal(14)
         tiles = Signal(12)
         m.d.comb += [
-            blocks.eq(_ceil_log2_div(self.c_in, config.rows)),
+            blocks.eq(ceil_div_constant(self.c_in, config.rows, config.max_c_in)),
             tiles.eq(_ceil_log2_div(self.c_out, config.units)),
         ]
         m.d.sync += [

@@ -7,7 +7,7 @@ import pytest
 from amaranth.hdl import Module
 from stream_testing import simulate
 
-from macram.spec import ENGINE_LATENCY, GROUP, LANES, TAPS, ArrayConfig
+from macram.spec import ENGINE_LATENCY, GROUP, LANES, TAPS, ArrayConfig, IntFormat
 from macram_hw.engine_2x import Interleaver, PairedEngine
 
 LATENCY = ENGINE_LATENCY["dsp48e2_2x"]
@@ -27,7 +27,7 @@ def operands(rng, rows):
 
 
 @pytest.mark.parametrize("offset", [0, 1])
-@pytest.mark.parametrize("rows", [2, 4, 8, 16])
+@pytest.mark.parametrize("rows", [2, 4, 6, 8, 10, 18])
 def test_even_and_odd_rows_are_summed_apart(rows, offset):
     """Two cycles settle the halves; ``offset`` more, so that either state of the toggle meets the first word."""
     config = ArrayConfig(engine="dsp48e2_2x", rows=rows)
@@ -62,8 +62,17 @@ def test_even_and_odd_rows_are_summed_apart(rows, offset):
     simulate(m, bench)
 
 
-def test_rows_come_in_pairs():
+@pytest.mark.parametrize(("changes", "left"), [({"rows": 1}, 1), ({"rows": 8, "soft_rows": 1}, 7)])
+def test_rows_come_in_pairs(changes, left):
+    message = (
+        f"engine dsp48e2_2x serves rows in pairs: rows less soft_rows must be an even number, not {left}"
+    )
+    with pytest.raises(ValueError, match=message):
+        ArrayConfig(engine="dsp48e2_2x", **changes)
+
+
+def test_other_formats_are_refused():
     with pytest.raises(
-        ValueError, match="engine dsp48e2_2x serves rows in pairs: make rows an even number, not 1"
+        ValueError, match="engine dsp48e2_2x takes weights and unsigned inputs of up to 3 bits"
     ):
-        ArrayConfig(engine="dsp48e2_2x", rows=1)
+        ArrayConfig(engine="dsp48e2_2x", weight=IntFormat(4, signed=True))

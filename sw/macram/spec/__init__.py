@@ -1,15 +1,6 @@
 """Frozen, validated objects that the golden model, the packer and the gateware are all built from."""
 
-from macram.spec.array import (
-    DSP_KINDS,
-    ENGINE_LATENCY,
-    GROUP,
-    LANES,
-    MAX_SIDE,
-    TAPS,
-    ArrayConfig,
-    parse_format,
-)
+from macram.spec.array import ENGINE_LATENCY, GROUP, LANES, MAX_SIDE, TAPS, ArrayConfig, parse_format
 from macram.spec.formats import IntFormat, ceil_div, signed_format_for
 from macram.spec.layer import ConvSpec, accumulator_format, accumulator_range
 from macram.spec.registers import BY_NAME, REGISTERS, Control, Error, Register, Status
@@ -17,7 +8,6 @@ from macram.spec.stream import StreamLayout, words_to_beats
 
 __all__ = [
     "BY_NAME",
-    "DSP_KINDS",
     "ENGINE_LATENCY",
     "GROUP",
     "LANES",

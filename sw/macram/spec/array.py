@@ -25,13 +25,14 @@ MAX_THRESHOLD_BITS = 4
 """Up to this many output bits the requantiser compares with thresholds."""
 MAX_SIDE = 0xFFFF
 """Largest height and width of an image."""
-ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4, "dsp48e2_2x": 5}
+ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4, "dsp48e2_2x": 5, "soft": 1}
 """Row-engine kinds and their latencies in cycles. ``portable``: plain multipliers. ``dsp48e2``: twelve products in
-one DSP slice of UltraScale+, for weights and unsigned activations of up to 3 bits. ``dsp48e2_2x``: the same slice at
-twice the array's clock, serving two rows."""
-DSP_KINDS = ("dsp48e2", "dsp48e2_2x")
-DSP_BITS = 3
-"""Most bits of an operand of the `DSP_KINDS`: their lanes lie 7 bits apart."""
+one DSP slice of UltraScale+. ``dsp48e2_2x``: the same slice at twice the array's clock, serving two rows. ``soft``:
+products as tables in the LUTs of UltraScale+. All but the first take weights and unsigned activations of up to 3
+bits."""
+PACKED_BITS = 3
+"""Most bits of an operand of the kinds other than ``portable``: the lanes in a DSP slice lie 7 bits apart, and the
+operands of a product in LUTs fill the inputs of one LUT."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +42,7 @@ class ArrayConfig:
     Attributes:
         name: goes into the manifest and into the names of reports.
         units: PIM units; unit u owns output channels u, u + units, ...
-        rows: row engines per unit; each takes one input channel per cycle.
+        rows: row engines per unit; each takes one input channel per cycle. Any number, not only a power of two.
         weight, input, output: code formats.
         max_c_in: input channels the accumulator is sized for.
         max_c_out: output channels of one pass (requantiser and carry memories).
@@ -51,6 +52,7 @@ class ArrayConfig:
         ingest: channel blocks written to the line buffer per cycle (one bank each).
         drain: channels requantised per cycle, times 4 pixels.
         engine: kind of the row engines, see `ENGINE_LATENCY`.
+        soft_rows: so many row engines of each unit, the last ones, are ``soft`` instead.
 
     Raises:
         ValueError: a field is out of range or two fields do not fit together.
@@ -70,6 +72,7 @@ class ArrayConfig:
     ingest: int = 2
     drain: int = 4
     engine: str = "portable"
+    soft_rows: int = 0
 
     def __post_init__(self) -> None:
         limits = {
@@ -82,18 +85,23 @@ class ArrayConfig:
                 raise ValueError(f"{key} must be in {lo}..{hi}, not {value}")
         if self.engine not in ENGINE_LATENCY:
             raise ValueError(f"engine must be one of {', '.join(ENGINE_LATENCY)}, not {self.engine!r}")
-        if self.engine in DSP_KINDS and (
-            self.weight.bits > DSP_BITS or self.input.bits > DSP_BITS or self.input.signed
-        ):
+        most = 0 if self.engine == "soft" else self.rows - 1
+        if not 0 <= self.soft_rows <= most:
             raise ValueError(
-                f"engine {self.engine} takes weights and unsigned inputs of up to {DSP_BITS} bits, "
-                f"not {self.weight} and {self.input}; use portable"
+                f"soft_rows must be in 0..{most} with {self.rows} rows of engine {self.engine}, not {self.soft_rows}"
             )
         if self.paired_rows % 2:
             raise ValueError(
-                f"engine {self.engine} serves rows in pairs: make rows an even number, not {self.rows}"
+                f"engine {self.engine} serves rows in pairs: rows less soft_rows must be an even number, "
+                f"not {self.paired_rows}"
             )
-        for key in ("units", "rows", "drain"):
+        packed = [kind for kind in dict.fromkeys(self.row_kinds) if kind != "portable"]
+        if packed and (self.weight.bits > PACKED_BITS or self.input.bits > PACKED_BITS or self.input.signed):
+            raise ValueError(
+                f"engine {packed[0]} takes weights and unsigned inputs of up to {PACKED_BITS} bits, "
+                f"not {self.weight} and {self.input}; use portable"
+            )
+        for key in ("units", "drain"):
             value = getattr(self, key)
             if value & (value - 1):
                 raise ValueError(f"{key} must be a power of two, not {value}")
@@ -176,14 +184,24 @@ class ArrayConfig:
         return GROUP * self.drain
 
     @property
-    def engine_latency(self) -> int:
-        """Cycles from activations to lane sums."""
-        return ENGINE_LATENCY[self.engine]
+    def row_kinds(self) -> tuple[str, ...]:
+        """Kind of every row engine of a unit."""
+        return (self.engine,) * (self.rows - self.soft_rows) + ("soft",) * self.soft_rows
 
     @property
     def paired_rows(self) -> int:
-        """Rows served two by two by engines at twice the array's clock; 0 if the array has one clock."""
-        return self.rows if self.engine == "dsp48e2_2x" else 0
+        """The first rows, served two by two by engines at twice the array's clock; 0 if the array has one clock."""
+        return self.row_kinds.count("dsp48e2_2x")
+
+    @property
+    def xilinx(self) -> bool:
+        """Whether the array is for UltraScale+, so that its primitives may be used throughout."""
+        return any(kind != "portable" for kind in self.row_kinds)
+
+    @property
+    def engine_latency(self) -> int:
+        """Cycles from activations to lane sums: those of the slowest kind, for which the others wait."""
+        return max(ENGINE_LATENCY[kind] for kind in self.row_kinds)
 
     @property
     def peak_macs(self) -> int:
