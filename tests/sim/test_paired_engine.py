@@ -19,7 +19,10 @@ from macram_sim import build, runner
 from macram_sim.array import build_array, simulate
 
 HERE = Path(__file__).parent
-ARRAY = replace(ArrayConfig.from_toml(HERE.parents[1] / "configs" / "tiny.toml"), engine="dsp48e2_2x", rows=4)
+# Two pairs and a row in LUTs beside them.
+ARRAY = replace(
+    ArrayConfig.from_toml(HERE.parents[1] / "configs" / "tiny.toml"), engine="dsp48e2_2x", rows=5, soft_rows=1
+)
 # The same in every worker of a parallel run; SEED=... tries others.
 SEED = int(os.environ.get("SEED") or 2022)
 WAIVE = """`verilator_config
