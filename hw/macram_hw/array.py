@@ -6,6 +6,7 @@ from amaranth.lib.wiring import In, Out, connect
 
 from macram.spec import ArrayConfig, Error
 from macram_hw.drain import Drain
+from macram_hw.engine_2x import Interleaver
 from macram_hw.frame import FrameCheck
 from macram_hw.gearbox import Beat, EmitGearbox, IngestGearbox
 from macram_hw.line_buffer import LineBuffer
@@ -126,7 +127,9 @@ class Array(wiring.Component):
 
         # ---- the step's control follows it to the accumulators -------------------------------------------
         control, info = sequencer.step.control, sequencer.step.info
-        for stage in range(LineBuffer.LATENCY + control_delay(config)):
+        for stage in range(LineBuffer.LATENCY + control_delay(config) + 1):
+            # The units hold the last stage themselves.
+            unit_control = control
             control_next = Signal.like(control, name=f"control{stage}")
             info_next = Signal.like(info, name=f"info{stage}", reset_less=True)
             m.d.sync += [control_next.eq(control), info_next.eq(info)]
@@ -134,6 +137,9 @@ class Array(wiring.Component):
         m.d.comb += [drain.finished.eq(control.en & control.last), drain.info.eq(info)]
 
         # ---- units, chained so that chain q brings channels q, q + drain, ... to its head ----------------
+        if config.paired_rows:
+            m.submodules.interleaver = interleaver = Interleaver(config)
+            m.d.comb += interleaver.word.eq(lines.word)
         units = [PimUnit(config, index=index) for index in range(config.units)]
         for index, unit in enumerate(units):
             m.submodules[f"unit{index:03d}"] = unit
@@ -142,9 +148,11 @@ class Array(wiring.Component):
                 unit.write_en.eq(loader.unit_en[index]),
                 unit.write.eq(loader.weight),
                 unit.activations.eq(lines.word),
-                unit.control.eq(control),
+                unit.control.eq(unit_control),
                 unit.shift.eq(drain.shift),
             ]
+            if config.paired_rows:
+                m.d.comb += [unit.pixels_2x.eq(interleaver.pixels), unit.second.eq(interleaver.second)]
             if index < config.drain:
                 m.d.comb += drain.heads[index].eq(unit.chain_o)
             if index + config.drain < config.units:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import amaranth
 from amaranth.back import verilog
-from amaranth.hdl import ClockSignal, Instance, ResetSignal, Value
+from amaranth.hdl import ClockDomain, ClockSignal, Instance, ResetSignal, Value
 from amaranth.lib import memory
 from amaranth.lib.wiring import In
 
@@ -68,7 +68,8 @@ class _ExportPlatform:
             f"{'i' if member.flow == In else 'o'}_{name}": Value.cast(getattr(core, name))
             for name, member in core.signature.members.items()
         }
-        return Instance(UNIT, i_clk=ClockSignal(), i_rst=ResetSignal(), **ports)
+        double = {"i_double_clk": ClockSignal("double")} if "second" in core.signature.members else {}
+        return Instance(UNIT, i_clk=ClockSignal(), i_rst=ResetSignal(), **double, **ports)
 
 
 def model_path(name: str) -> Path:
@@ -79,7 +80,12 @@ def model_path(name: str) -> Path:
 def component_verilog(component, name: str) -> str:
     """One component as a Verilog module ``name``, memories and primitives as instances; the same bytes each time."""
     text = verilog.convert(
-        component, name=name, platform=_ExportPlatform(), emit_src=False, strip_internal_attrs=True
+        component,
+        name=name,
+        platform=_ExportPlatform(),
+        emit_src=False,
+        strip_internal_attrs=True,
+        missing_domain=lambda domain: ClockDomain(domain, reset_less=domain == "double"),
     )
     # The banner names the generator's build; the same configuration must give the same bytes.
     return re.sub(r"\A/\*.*?\*/\n", "", text, count=1)
@@ -100,10 +106,13 @@ def export_verilog(config: ArrayConfig, directory: Path, *, mem_dir: Path | None
         "macram_top.v": component_verilog(Top(config), TOPLEVEL),
         "macram_unit.v": component_verilog(UnitCore(config), UNIT),
     }
-    order = ["lint.vlt", "macram_ram.v", "macram_lutram.v", "macram_unit.v", "macram_top.v"]
-    texts |= {name: model_path(name).read_text() for name in order[:3]}
+    by_hand = ["lint.vlt", "macram_ram.v", "macram_lutram.v", "macram_add3.v"]
+    if "soft" in config.row_kinds:
+        by_hand.append("macram_product.v")
+    order = [*by_hand, "macram_unit.v", "macram_top.v"]
+    texts |= {name: model_path(name).read_text() for name in by_hand}
     texts["macram_top.f"] = "".join(f"{name}\n" for name in order)
-    if config.engine == "dsp48e2":
+    if {"dsp48e2", "dsp48e2_2x"} & set(config.row_kinds):
         # For simulation only, so not in the file list.
         order.insert(1, "DSP48E2.v")
         texts["DSP48E2.v"] = model_path("DSP48E2.v").read_text()

@@ -6,6 +6,7 @@ from amaranth.lib.wiring import In, Out
 
 from macram.spec import GROUP, MAX_SIDE, RESIDUAL, TAPS, ArrayConfig, Error
 from macram.spec.registers import MODE_BIASED, MODE_RESIDUAL, MODES
+from macram_hw.divide import ceil_div_constant
 
 __all__ = ["LayerShape", "ShapeDecoder"]
 
@@ -72,7 +73,7 @@ class ShapeDecoder(wiring.Component):
         tiles = Signal(12)
         columns, halved = Signal(32), Signal()
         m.d.comb += [
-            blocks.eq(_ceil_log2_div(self.c_in, config.rows)),
+            blocks.eq(ceil_div_constant(self.c_in, config.rows, config.max_c_in)),
             ingest_words.eq(_ceil_log2_div(blocks, config.ingest)),
             tiles.eq(_ceil_log2_div(self.c_out, config.units)),
             halved.eq(self.mode[9]),

@@ -15,11 +15,12 @@ __all__ = ["Top"]
 class Top(wiring.Component):
     """The array behind AXI4-Lite registers, two AXI4-Stream inputs and one output.
 
-    ``aclk`` is the only clock, ``aresetn`` the active-low synchronous reset. A soft reset stops a run
-    and empties
-    the array; registers, weights and requantiser parameters stay.
+    ``aclk`` is the clock of every port, ``aresetn`` the active-low synchronous reset. Arrays with paired rows
+    also have ``aclk2x``, twice as fast and in phase: every rising edge of ``aclk`` is one of ``aclk2x``. Nothing
+    that runs on it keeps a state, so it needs no reset. A soft reset stops a run and empties the array; registers,
+    weights and requantiser parameters stay.
 
-    Members: ``aclk``, ``aresetn``, ``s_axi_*`` (registers), ``s_axis_*`` (image), ``s_axis_param_*``
+    Members: ``aclk``, ``aclk2x``, ``aresetn``, ``s_axi_*`` (registers), ``s_axis_*`` (image), ``s_axis_param_*``
     (weights and
     requantiser parameters), ``m_axis_*`` (codes). With a residual adder also ``s_axis_residual_*`` and
     ``m_axis_residual_*`` (8-bit codes of the residual stream).
@@ -31,6 +32,7 @@ class Top(wiring.Component):
         self._registers = AxiLite(ADDRESS_BITS).flip().members
         super().__init__({
             "aclk": In(1),
+            **({"aclk2x": In(1)} if config.paired_rows else {}),
             "aresetn": In(1),
             **{f"s_axi_{name}": member for name, member in self._registers.items()},
             **_stream_members("s_axis", In, width),
@@ -45,6 +47,9 @@ class Top(wiring.Component):
         m = Module()
         m.domains.sync = sync = ClockDomain()
         m.d.comb += [sync.clk.eq(self.aclk), sync.rst.eq(~self.aresetn)]
+        if config.paired_rows:
+            m.domains.double = double = ClockDomain(reset_less=True)
+            m.d.comb += double.clk.eq(self.aclk2x)
 
         absent = () if config.residual_stream_bits else RESIDUAL_REGISTERS
         m.submodules.registers = registers = AxiLiteRegisters(absent)

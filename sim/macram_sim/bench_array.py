@@ -17,14 +17,14 @@ from typing import Any
 
 import cocotb
 import numpy as np
-from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles
 
 from macram.driver import ArrayDriver
 from macram.golden import ResidualRule
 from macram.pack import read_packed
 from macram.spec import BY_NAME, REGISTERS
-from macram_sim.transport import PERIOD_NS, CocotbTransport
+from macram_sim.clocks import start_clocks
+from macram_sim.transport import CocotbTransport
 
 PROGRESS_SECONDS = 2.0
 
@@ -70,7 +70,7 @@ async def run_job(dut: Any) -> None:
     transport = CocotbTransport(
         dut, gaps=job["gaps"], stalls=job["stalls"], seed=job["seed"], progress=Progress()
     )
-    Clock(dut.aclk, PERIOD_NS, unit="ns").start()
+    start_clocks(dut)
     await transport.reset()
     driver = ArrayDriver(transport, packed.array)
     await driver.identify()

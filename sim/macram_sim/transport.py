@@ -10,9 +10,9 @@ import numpy as np
 from cocotb.triggers import Lock, RisingEdge, Timer, gather, select
 
 from macram.driver import Beats, BusError, StreamTimeout
+from macram_sim.clocks import PERIOD_NS
 from macram_sim.streams import AxisSink, AxisSource, pauses
 
-PERIOD_NS = 10
 QUIET_CYCLES = 50_000
 """Cycles in which no beat moves on any stream before a transfer is given up."""
 _LOOK_CYCLES = 1_000

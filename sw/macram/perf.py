@@ -127,11 +127,12 @@ def _late_row_cycles(layer: ConvSpec, array: ArrayConfig, period: int) -> int:
 
 
 def pixel_in_cycles(layer: ConvSpec, array: ArrayConfig) -> int:
-    """Cycles per input pixel: a beat and an ingest word per cycle, pixels do not share beats."""
+    """Cycles per input pixel: word w leaves one cycle after the beat that completes it, one per cycle."""
     beats = StreamLayout(layer.c_in, layer.input, array.stream_bits).beats_per_pixel
     words = ceil_div(array.blocks(layer.c_in), array.ingest)
-    beats_of_first_word = min(beats, ceil_div(array.ingest * array.block_bits, array.stream_bits))
-    return max(beats, words - 1 + beats_of_first_word)
+    word_bits = array.ingest * array.block_bits
+    completing = [ceil_div((word + 1) * word_bits, array.stream_bits) for word in range(words - 1)] + [beats]
+    return max(min(beat, beats) + words - 1 - word for word, beat in enumerate(completing))
 
 
 def pixel_out_cycles(layer: ConvSpec, array: ArrayConfig) -> int:

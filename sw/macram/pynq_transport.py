@@ -59,7 +59,7 @@ class Channel(Protocol):
 
 
 class Dma(Mmio, Protocol):
-    """``pynq.lib.dma.DMA``: its registers and channels. ``recvchannel`` is used of the image's DMA alone."""
+    """``pynq.lib.dma.DMA``: its registers and channels. The parameters' has no ``recvchannel``."""
 
     @property
     def sendchannel(self) -> Channel:
@@ -86,6 +86,7 @@ class PynqTransport:
         image_dma: DMA of ``s_axis`` and ``m_axis``.
         param_dma: DMA of ``s_axis_param``.
         allocate: ``pynq.allocate``.
+        residual_dma: DMA of ``s_axis_residual`` and ``m_axis_residual``, if the array has a residual adder.
         timeout: seconds a transfer may take.
 
     One packet is one transfer, because a DMA without scatter-gather ends each of its transfers with TLAST; so
@@ -103,11 +104,13 @@ class PynqTransport:
         param_dma: Dma,
         allocate: Callable[..., Any],
         *,
+        residual_dma: Dma | None = None,
         timeout: float = 10.0,
     ) -> None:
         self._mmio = mmio
         self._image = image_dma
         self._params = param_dma
+        self._residual = residual_dma
         self._allocate = allocate
         self._timeout = timeout
         self._lent: list[_Lent] = []
@@ -136,52 +139,69 @@ class PynqTransport:
         finally:
             self._reclaim()
 
-    async def run_stream(self, beats: Beats, beats_out: int) -> Beats:
+    async def run_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> list[Beats]:
         """Send an image and return the beats ``[beats_out, bytes]`` that come back.
 
+        With ``residual``, those beats go to the residual adder, and as many come back from it, second in the list.
+
         Raises:
-            ValueError: more than `MAX_TRANSFER` bytes in or out.
+            ValueError: more than `MAX_TRANSFER` bytes in or out, or a residual stream without its DMA.
             StreamTimeout: a transfer took too long, failed or came back short, or an earlier one still holds a
                 channel.
         """
-        size = beats.shape[1]
-        _check_size(beats.size, "input stream")
-        _check_size(beats_out * size, "output stream")
-        sender, receiver = self._image.sendchannel, self._image.recvchannel
-        self._check_free(sender, "input stream")
-        self._check_free(receiver, "output stream")
+        exchanges = [(self._image, "", beats, beats_out)]
+        if residual is not None:
+            if self._residual is None:
+                raise ValueError("the overlay has no residual DMA; give residual_dma")
+            exchanges.append((self._residual, "residual ", residual, len(residual)))
+        for dma, name, sent, count in exchanges:
+            _check_size(sent.size, f"{name}input stream")
+            _check_size(count * sent.shape[1], f"{name}output stream")
+            self._check_free(dma.sendchannel, f"{name}input stream")
+            self._check_free(dma.recvchannel, f"{name}output stream")
         try:
-            received = self._borrow(beats_out * size)
-            image = self._filled(beats)
-            # The receiver goes first: the array may answer before the whole image is sent.
-            self._start(receiver, received)
-            self._start(sender, image)
-            self._finish(sender, "input stream")
-            self._finish(receiver, "output stream")
-            if (came := receiver.transferred) != beats_out * size:
-                raise StreamTimeout(
-                    f"the output stream ended after {came} of {beats_out * size} bytes; reset the array"
-                )
-            return np.array(received.buffer, dtype=np.uint8).reshape(beats_out, size)
+            received = [self._borrow(count * sent.shape[1]) for _, _, sent, count in exchanges]
+            filled = [self._filled(sent) for _, _, sent, _ in exchanges]
+            # The receivers go first: the array may answer before the whole image is sent.
+            for (dma, *_), lent in zip(exchanges, received, strict=True):
+                self._start(dma.recvchannel, lent)
+            for (dma, *_), lent in zip(exchanges, filled, strict=True):
+                self._start(dma.sendchannel, lent)
+            for dma, name, *_ in exchanges:
+                self._finish(dma.sendchannel, f"{name}input stream")
+            for dma, name, sent, count in exchanges:
+                self._finish(dma.recvchannel, f"{name}output stream")
+                if (came := dma.recvchannel.transferred) != (size := count * sent.shape[1]):
+                    raise StreamTimeout(
+                        f"the {name}output stream ended after {came} of {size} bytes; reset the array"
+                    )
+            return [
+                np.array(lent.buffer, dtype=np.uint8).reshape(count, sent.shape[1])
+                for lent, (_, _, sent, count) in zip(received, exchanges, strict=True)
+            ]
         finally:
             self._reclaim()
 
     def reset(self) -> None:
-        """Reset both DMA engines, so that a transfer which was given up is gone and its memory free again.
+        """Reset the DMA engines, so that a transfer which was given up is gone and its memory free again.
 
         A reset ends a stream at an arbitrary beat: soft-reset the array after it, not before.
 
         Raises:
             StreamTimeout: an engine does not come out of its reset.
         """
-        for dma, name in ((self._image, "image"), (self._params, "parameter")):
+        engines = [(self._image, "image"), (self._params, "parameter")]
+        if self._residual is not None:
+            engines.append((self._residual, "residual"))
+        for dma, name in engines:
             dma.write(DMACR, DMACR_RESET)
             deadline = time.monotonic() + self._timeout
             while dma.read(DMACR) & DMACR_RESET:
                 if time.monotonic() > deadline:
                     raise StreamTimeout(f"the {name} DMA stays in reset; load the overlay again")
             dma.sendchannel.start()
-        self._image.recvchannel.start()
+            if dma is not self._params:
+                dma.recvchannel.start()
         for lent in self._lent:
             lent.buffer.freebuffer()
         self._lent = []

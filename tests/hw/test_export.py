@@ -3,6 +3,7 @@
 import hashlib
 import json
 import re
+from dataclasses import replace
 
 import pytest
 
@@ -79,6 +80,15 @@ def test_edge_ports_have_the_usual_names(exported):
         assert {f"{prefix}_{wire}" for wire in ("tdata", "tvalid", "tready", "tlast")} <= ports
     assert {"aclk", "aresetn", "s_axi_awaddr", "s_axi_wstrb", "s_axi_rresp"} <= ports
     assert not [port for port in ports if "__" in port]
+
+
+def test_the_fast_clock_is_a_port_only_where_rows_are_paired(exported, tmp_path):
+    assert "aclk2x" not in (exported.directory / "macram_top.v").read_text()
+    paired = export_verilog(replace(TINY, engine="dsp48e2_2x"), tmp_path)
+    top = (paired.directory / "macram_top.v").read_text()
+    assert re.search(r"^  input aclk2x;", top, re.M)
+    assert not re.search(r"posedge aclk2x|double_rst", top), "the fast clock's domain has a name and no reset"
+    assert "DSP48E2.v" in [path.name for path in paired.sources]
 
 
 def test_unchanged_files_are_left_alone(exported):

@@ -8,14 +8,14 @@ from pathlib import Path
 import cocotb
 import numpy as np
 import pytest
-from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, select
 
 from macram.driver import ArrayDriver, ArrayError, BusError
 from macram.pack import read_packed
 from macram.spec import BY_NAME, REGISTERS, Control, Error, Status, StreamLayout
 from macram_sim import transport as transport_module
-from macram_sim.transport import PERIOD_NS, CocotbTransport
+from macram_sim.clocks import start_clocks
+from macram_sim.transport import CocotbTransport
 
 transport_module.QUIET_CYCLES = 4_000
 
@@ -29,7 +29,7 @@ class Bench:
         folder = Path(os.environ["MACRAM_JOB"])
         self.packed = read_packed(folder / "packed")
         self.image, self.expected = np.load(folder / "input.npy"), np.load(folder / "expected.npy")
-        Clock(dut.aclk, PERIOD_NS, unit="ns").start()
+        start_clocks(dut)
         self.dut, self.transport = dut, CocotbTransport(dut)
         await self.transport.reset()
         self.driver = ArrayDriver(self.transport, self.packed.array)

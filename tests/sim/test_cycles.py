@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import random
 from pathlib import Path
@@ -59,6 +60,18 @@ def test_cycles_are_the_closed_form(toolchain, shape):
     for codes, counters in zip(result.all_codes, result.all_counters, strict=True):
         np.testing.assert_array_equal(codes, run_layer(case))
         assert_as_estimated(spec, TINY, counters)
+
+
+@pytest.mark.parametrize("rows", [3, 5, 6, 11])
+def test_any_number_of_rows(toolchain, rows):
+    """Row counts that are no power of two, with a part block, one whole block and many blocks."""
+    array = dataclasses.replace(TINY, name=f"rows{rows}", rows=rows, max_c_in=3 * rows + 1, row_words=64)
+    for channels in (2, rows, 3 * rows + 1):
+        spec = ConvSpec(channels, 11, 4, 9)
+        case = random_case(spec, seed=rows)
+        result = simulate(pack_layer(case, array), case.input, seed=rows)
+        np.testing.assert_array_equal(result.codes, run_layer(case))
+        assert_as_estimated(spec, array, result.counters)
 
 
 @pytest.mark.slow

@@ -30,11 +30,14 @@ MAX_BRANCH_BITS = 3
 """Most bits of the codes that the residual adder takes: its table lies in registers."""
 MAX_SIDE = 0xFFFF
 """Largest height and width of an image."""
-ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4}
+ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4, "dsp48e2_2x": 5, "soft": 1}
 """Row-engine kinds and their latencies in cycles. ``portable``: plain multipliers. ``dsp48e2``: twelve products in
-one DSP slice of UltraScale+, for weights and unsigned activations of up to 3 bits."""
-DSP_BITS = 3
-"""Most bits of an operand of the ``dsp48e2`` kind: its lanes lie 7 bits apart."""
+one DSP slice of UltraScale+. ``dsp48e2_2x``: the same slice at twice the array's clock, serving two rows. ``soft``:
+products as tables in the LUTs of UltraScale+. All but the first take weights and unsigned activations of up to 3
+bits."""
+PACKED_BITS = 3
+"""Most bits of an operand of the kinds other than ``portable``: the lanes in a DSP slice lie 7 bits apart, and the
+operands of a product in LUTs fill the inputs of one LUT."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +47,7 @@ class ArrayConfig:
     Attributes:
         name: goes into the manifest and into the names of reports.
         units: PIM units; unit u owns output channels u, u + units, ...
-        rows: row engines per unit; each takes one input channel per cycle.
+        rows: row engines per unit; each takes one input channel per cycle. Any number, not only a power of two.
         weight, input, output: code formats.
         max_c_in: input channels the accumulator is sized for.
         max_c_out: output channels of one pass (requantiser and carry memories).
@@ -57,6 +60,7 @@ class ArrayConfig:
         engine: kind of the row engines, see `ENGINE_LATENCY`.
         residual_stream_bits: TDATA width of the two streams of the residual adder; 0 leaves it out. It takes
             unsigned output codes of up to 3 bits.
+        soft_rows: so many row engines of each unit, the last ones, are ``soft`` instead.
 
     Raises:
         ValueError: a field is out of range or two fields do not fit together.
@@ -77,6 +81,7 @@ class ArrayConfig:
     drain: int = 4
     engine: str = "portable"
     residual_stream_bits: int = 0
+    soft_rows: int = 0
 
     def __post_init__(self) -> None:
         limits = {
@@ -89,14 +94,23 @@ class ArrayConfig:
                 raise ValueError(f"{key} must be in {lo}..{hi}, not {value}")
         if self.engine not in ENGINE_LATENCY:
             raise ValueError(f"engine must be one of {', '.join(ENGINE_LATENCY)}, not {self.engine!r}")
-        if self.engine == "dsp48e2" and (
-            self.weight.bits > DSP_BITS or self.input.bits > DSP_BITS or self.input.signed
-        ):
+        most = 0 if self.engine == "soft" else self.rows - 1
+        if not 0 <= self.soft_rows <= most:
             raise ValueError(
-                f"engine dsp48e2 takes weights and unsigned inputs of up to {DSP_BITS} bits, "
+                f"soft_rows must be in 0..{most} with {self.rows} rows of engine {self.engine}, not {self.soft_rows}"
+            )
+        if self.paired_rows % 2:
+            raise ValueError(
+                f"engine {self.engine} serves rows in pairs: rows less soft_rows must be an even number, "
+                f"not {self.paired_rows}"
+            )
+        packed = [kind for kind in dict.fromkeys(self.row_kinds) if kind != "portable"]
+        if packed and (self.weight.bits > PACKED_BITS or self.input.bits > PACKED_BITS or self.input.signed):
+            raise ValueError(
+                f"engine {packed[0]} takes weights and unsigned inputs of up to {PACKED_BITS} bits, "
                 f"not {self.weight} and {self.input}; use portable"
             )
-        for key in ("units", "rows", "drain"):
+        for key in ("units", "drain"):
             value = getattr(self, key)
             if value & (value - 1):
                 raise ValueError(f"{key} must be a power of two, not {value}")
@@ -201,9 +215,24 @@ class ArrayConfig:
         return GROUP * self.drain
 
     @property
+    def row_kinds(self) -> tuple[str, ...]:
+        """Kind of every row engine of a unit."""
+        return (self.engine,) * (self.rows - self.soft_rows) + ("soft",) * self.soft_rows
+
+    @property
+    def paired_rows(self) -> int:
+        """The first rows, served two by two by engines at twice the array's clock; 0 if the array has one clock."""
+        return self.row_kinds.count("dsp48e2_2x")
+
+    @property
+    def xilinx(self) -> bool:
+        """Whether the array is for UltraScale+, so that its primitives may be used throughout."""
+        return any(kind != "portable" for kind in self.row_kinds)
+
+    @property
     def engine_latency(self) -> int:
-        """Cycles from activations to lane sums."""
-        return ENGINE_LATENCY[self.engine]
+        """Cycles from activations to lane sums: those of the slowest kind, for which the others wait."""
+        return max(ENGINE_LATENCY[kind] for kind in self.row_kinds)
 
     @property
     def peak_macs(self) -> int:
