@@ -133,7 +133,10 @@ class Sequencer(wiring.Component):
             self.retire.eq(self.issue & tile_last & (kernel_row == 0) & kernel_row_last),
             self.retire_row.eq(step_last & group_last & shape.halved),
             ahead.eq(
-                ahead + self.group_written - (step & first_of_group & ~flushing) - Mux(skipped, shape.groups, 0)
+                ahead
+                + self.group_written
+                - (step & first_of_group & ~flushing)
+                - Mux(skipped, shape.groups, 0)
             ),
         ]
         with m.If(self.credit):

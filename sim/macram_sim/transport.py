@@ -154,17 +154,17 @@ class CocotbTransport:
 
     async def end_stream(self) -> Beats:
         """The beats of the image that was begun."""
-        beats, error = await self._running
-        if error is not None:
-            raise error
-        return beats
+        outcome: Beats | Exception = await self._running
+        if isinstance(outcome, Exception):
+            raise outcome
+        return outcome
 
     @staticmethod
-    async def _outcome(run: Awaitable[Beats]) -> tuple[Beats, None] | tuple[None, Exception]:
+    async def _outcome(run: Awaitable[Beats]) -> Beats | Exception:
         try:
-            return await run, None
+            return await run
         except Exception as error:  # cocotb would end the test although someone is going to ask
-            return None, error
+            return error
 
     async def _watchdog(self, expected: int) -> NoReturn:
         """Report progress, and raise once nothing has moved for `QUIET_CYCLES`."""

@@ -275,9 +275,7 @@ class ArrayDriver:
             results.append(await self.run(next_image(results), load_next))
         return results
 
-    async def run_passes(
-        self, passes: Sequence[PackedLayer], input_codes: NDArray[np.integer]
-    ) -> RunResult:
+    async def run_passes(self, passes: Sequence[PackedLayer], input_codes: NDArray[np.integer]) -> RunResult:
         """One layer in passes over its output channels (`macram.pack.pack_passes`), the image sent each time.
 
         Returns:

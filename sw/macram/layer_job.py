@@ -204,7 +204,9 @@ def run_layer_job(
         build_array(array, waves=traffic.waves)
     build_seconds = time.perf_counter() - started
     with stage("simulate"):
-        result = simulate(passes, case.input, **dataclasses.asdict(traffic))
+        result = simulate(
+            passes[0] if len(passes) == 1 else passes, case.input, **dataclasses.asdict(traffic)
+        )
     return LayerRun(
         case=case,
         array=array,

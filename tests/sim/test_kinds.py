@@ -94,8 +94,7 @@ def test_codes_and_cycles_of_every_kind(toolchain, tmp_path, name, count):
 def test_gaps_and_stalls_change_no_code(toolchain, tmp_path, gaps, stalls):
     rng = random.Random(SEED + len(gaps))
     cases = [
-        random_case(spec, index, rng.choice(FILLS))
-        for index, spec in enumerate(random_layers(TINY, 16, rng))
+        random_case(spec, index, rng.choice(FILLS)) for index, spec in enumerate(random_layers(TINY, 16, rng))
     ]
     codes, _ = run_all(TINY, cases, tmp_path, gaps=gaps, stalls=stalls)
     for case, found in zip(cases, codes, strict=True):

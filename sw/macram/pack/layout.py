@@ -125,7 +125,9 @@ def absent_requant(array: ArrayConfig, words: int) -> Words:
     none = np.zeros(0, np.int64)
     requant: Requant
     if array.thresholds:
-        requant = ThresholdRequant(none.reshape(0, array.thresholds), none.astype(np.bool_), array.output, (0, 0))
+        requant = ThresholdRequant(
+            none.reshape(0, array.thresholds), none.astype(np.bool_), array.output, (0, 0)
+        )
     else:
         requant = ShiftRequant(none, none, none, array.output, (0, 0))
     return pack_requant(requant, Rise(none, none, none), array, words)

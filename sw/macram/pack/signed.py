@@ -45,4 +45,3 @@ class Rise:
             half * weights[..., 0].sum(axis=(1, 2)),
             half * weights[..., TAPS - 1].sum(axis=(1, 2)) if at_group_end else none,
         )
-
