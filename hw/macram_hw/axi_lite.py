@@ -7,7 +7,12 @@ from amaranth.lib import wiring
 from amaranth.lib.wiring import In, Out
 
 from macram.spec.registers import (
-    ADDRESS_BITS, ID_VALUE, LOAD_REGISTERS, REGISTERS, VERSION_VALUE, Control,
+    ADDRESS_BITS,
+    ID_VALUE,
+    LOAD_REGISTERS,
+    REGISTERS,
+    VERSION_VALUE,
+    Control,
 )  # fmt: skip
 
 __all__ = ["OKAY", "SLVERR", "AxiLite", "AxiLiteRegisters"]

@@ -101,7 +101,8 @@ class LineBuffer(wiring.Component):
         with m.If(self.start):
             m.d.sync += [
                 word.eq(0), column.eq(0), row.eq(0), group_base.eq(0),
-                free.eq(Mux(shape.pointwise, ROWS_HELD, ROWS_HELD - 1) * shape.groups), self.image_written.eq(0), self.group_written.eq(0),
+                self.image_written.eq(0), self.group_written.eq(0),
+                free.eq(Mux(shape.pointwise, ROWS_HELD, ROWS_HELD - 1) * shape.groups),
             ]  # fmt: skip
 
         # ---- banks --------------------------------------------------------------------------------------

@@ -24,7 +24,8 @@ class Loader(wiring.Component):
         base: In, address of the first of them. Both must not change while busy.
         i: In stream, `Beat`.
         unit_en: Out, one write enable per unit. weight: Out. requant_en, requant: Out.
-        busy: Out. to_requant: Out, what the load goes or last went to. error: Out, `Error`, valid in the cycle in which ``fault`` is high.
+        busy: Out. to_requant: Out, whether the load goes, or last went, to the requantiser.
+        error: Out, `Error`, valid in the cycle in which ``fault`` is high.
     """
 
     def __init__(self, config: ArrayConfig):

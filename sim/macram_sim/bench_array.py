@@ -1,6 +1,6 @@
 """The cocotb bench of the whole array: runs one job folder, which `macram_sim.array` writes and reads.
 
-The folder holds ``job.json``, ``input.npy`` ``[c_in, height, width]``, the packed layer and ``residual.npz`` if the
+The folder holds ``job.json``, ``input.npy`` ``[c_in, height, width]``, the packed passes and ``residual.npz`` if the
 job has a residual sum; the bench adds ``output.npy`` and, with a residual sum, ``sums.npy``
 ``[c_out, out_height, out_width]``, and ``result.json``.
 """
@@ -65,26 +65,30 @@ async def run_job(dut: Any) -> None:
     """Identify the array, load and configure the layer, run the image as often as the job says."""
     folder = Path(os.environ["MACRAM_JOB"])
     job = json.loads((folder / "job.json").read_text())
-    packed = read_packed(folder / "packed")
+    passes = [read_packed(folder / name) for name in job["passes"]]
     image = np.load(folder / "input.npy")
     transport = CocotbTransport(
         dut, gaps=job["gaps"], stalls=job["stalls"], seed=job["seed"], progress=Progress()
     )
     start_clocks(dut)
     await transport.reset()
-    driver = ArrayDriver(transport, packed.array)
+    driver = ArrayDriver(transport, passes[0].array)
     await driver.identify()
-    if job["load"] == "stream":
-        await driver.load(packed)
     rule, stream = None, None
     if job["residual"]:
         with np.load(folder / "residual.npz") as parts:
-            rule = ResidualRule(packed.spec.output, parts["table"], parts["bounds"])
+            rule = ResidualRule(passes[0].spec.output, parts["table"], parts["bounds"])
             stream = parts["stream"]
-    await driver.configure(packed.spec, rule)
+    if len(passes) == 1:
+        if job["load"] == "stream":
+            await driver.load(passes[0])
+        await driver.configure(passes[0].spec, rule)
     counts = {"register_reads": 0}
     snooper = cocotb.start_soon(snoop(dut.aclk, transport, job["seed"], counts)) if job["snoop"] else None
-    results = [await driver.run(image, stream) for _ in range(job["runs"])]
+    results = [
+        await (driver.run(image, stream) if len(passes) == 1 else driver.run_passes(passes, image))
+        for _ in range(job["runs"])
+    ]
     if snooper is not None:
         snooper.cancel()
     np.save(folder / "output.npy", np.stack([result.codes for result in results]))

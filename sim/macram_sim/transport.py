@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from typing import Any, NoReturn
 
+import cocotb
 import numpy as np
 from cocotb.triggers import Lock, RisingEdge, Timer, gather, select
 
@@ -122,6 +123,7 @@ class CocotbTransport:
             )
             self._sums = AxisSink(dut, "m_axis_residual", pauses(stalls, random.Random(f"sums {seed}")))
             self._streams += [self._residual, self._sums]
+        self._running: Any = None
 
     async def reset(self, cycles: int = 4) -> None:
         """Hold ``aresetn`` low, then high."""
@@ -156,6 +158,24 @@ class CocotbTransport:
             sending.append(self._residual.send(residual))
         _, result = await select(gather(*receiving, *sending), self._watchdog(beats_out))
         return [np.asarray(beats) for beats in result[: len(receiving)]]
+
+    async def begin_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> None:
+        """Start sending an image; its outcome, be it an error, waits for `end_stream`."""
+        self._running = cocotb.start_soon(self._outcome(self.run_stream(beats, beats_out, residual)))
+
+    async def end_stream(self) -> list[Beats]:
+        """The beats of the image that was begun."""
+        outcome: list[Beats] | Exception = await self._running
+        if isinstance(outcome, Exception):
+            raise outcome
+        return outcome
+
+    @staticmethod
+    async def _outcome(run: Awaitable[list[Beats]]) -> list[Beats] | Exception:
+        try:
+            return await run
+        except Exception as error:  # cocotb would end the test although someone is going to ask
+            return error
 
     async def _watchdog(self, expected: int) -> NoReturn:
         """Report progress, and raise once nothing has moved for `QUIET_CYCLES`."""

@@ -98,8 +98,11 @@ def estimate(layer: ConvSpec, array: ArrayConfig, *, residual: bool = False) -> 
 
     compute = fill + mac + stall + drain
     rows_used = min(layer.height, (layer.out_height - 1) * layer.stride + layer.kernel - layer.padding)
+    # Sums left when the last needed pixel is in: those of the last output row, or of the last group.
+    waits_for_row = rows_above and (layer.stride == 1 or layer.height % 2)
+    groups_after = groups * bool(waits_for_row) + (layer.stride == 1 or not waits_for_row)
     limits = {
-        "input": pixel_in * rows_used * layer.width + (groups * rows_above + 1) * tiles * period + drain,
+        "input": pixel_in * rows_used * layer.width + groups_after * tiles * period + drain,
         "output": fill + (tiles - 1) * period + steps + to_output + pixels_out * pixel_out,
     }
     group_cycles = {"input": group_in * layer.stride * pixel_in, "output": GROUP * pixel_out}

@@ -78,6 +78,16 @@ class _Lent:
     channel: Channel | None = None
 
 
+@dataclass(eq=False)
+class _Exchange:
+    """An image, or a residual stream, that is on its way: which DMA moves it, and what comes back."""
+
+    dma: Dma
+    name: str
+    shape: tuple[int, int]
+    received: _Lent
+
+
 class PynqTransport:
     """Registers and streams of the array on a board. Every method waits until it is done.
 
@@ -114,6 +124,7 @@ class PynqTransport:
         self._allocate = allocate
         self._timeout = timeout
         self._lent: list[_Lent] = []
+        self._exchanges: list[_Exchange] = []
 
     async def read(self, offset: int) -> int:
         """Read the register at a byte offset."""
@@ -139,47 +150,65 @@ class PynqTransport:
         finally:
             self._reclaim()
 
-    async def run_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> list[Beats]:
-        """Send an image and return the beats ``[beats_out, bytes]`` that come back.
+    async def begin_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> None:
+        """Start the transfers of an image and come back at once.
 
-        With ``residual``, those beats go to the residual adder, and as many come back from it, second in the list.
+        With ``residual``, those beats go to the residual adder, and as many come back from it.
 
         Raises:
             ValueError: more than `MAX_TRANSFER` bytes in or out, or a residual stream without its DMA.
-            StreamTimeout: a transfer took too long, failed or came back short, or an earlier one still holds a
-                channel.
+            StreamTimeout: an earlier transfer still holds a channel.
         """
-        exchanges = [(self._image, "", beats, beats_out)]
+        wanted = [(self._image, "", beats, beats_out)]
         if residual is not None:
             if self._residual is None:
                 raise ValueError("the overlay has no residual DMA; give residual_dma")
-            exchanges.append((self._residual, "residual ", residual, len(residual)))
-        for dma, name, sent, count in exchanges:
+            wanted.append((self._residual, "residual ", residual, len(residual)))
+        for dma, name, sent, count in wanted:
             _check_size(sent.size, f"{name}input stream")
             _check_size(count * sent.shape[1], f"{name}output stream")
             self._check_free(dma.sendchannel, f"{name}input stream")
             self._check_free(dma.recvchannel, f"{name}output stream")
         try:
-            received = [self._borrow(count * sent.shape[1]) for _, _, sent, count in exchanges]
-            filled = [self._filled(sent) for _, _, sent, _ in exchanges]
+            self._exchanges = [
+                _Exchange(dma, name, (count, sent.shape[1]), self._borrow(count * sent.shape[1]))
+                for dma, name, sent, count in wanted
+            ]
+            filled = [self._filled(sent) for _, _, sent, _ in wanted]
             # The receivers go first: the array may answer before the whole image is sent.
-            for (dma, *_), lent in zip(exchanges, received, strict=True):
-                self._start(dma.recvchannel, lent)
-            for (dma, *_), lent in zip(exchanges, filled, strict=True):
-                self._start(dma.sendchannel, lent)
-            for dma, name, *_ in exchanges:
-                self._finish(dma.sendchannel, f"{name}input stream")
-            for dma, name, sent, count in exchanges:
-                self._finish(dma.recvchannel, f"{name}output stream")
-                if (came := dma.recvchannel.transferred) != (size := count * sent.shape[1]):
+            for exchange in self._exchanges:
+                self._start(exchange.dma.recvchannel, exchange.received)
+            for exchange, lent in zip(self._exchanges, filled, strict=True):
+                self._start(exchange.dma.sendchannel, lent)
+        except BaseException:
+            self._exchanges = []
+            self._reclaim()
+            raise
+
+    async def end_stream(self) -> list[Beats]:
+        """Wait for the image that was begun; its beats ``[beats_out, bytes]``, then those of the residual adder.
+
+        Raises:
+            StreamTimeout: no image was begun, or a transfer took too long, failed or came back short.
+        """
+        if not self._exchanges:
+            raise StreamTimeout("no image is on its way; call begin_stream() first")
+        try:
+            for exchange in self._exchanges:
+                self._finish(exchange.dma.sendchannel, f"{exchange.name}input stream")
+            for exchange in self._exchanges:
+                channel, size = exchange.dma.recvchannel, exchange.shape[0] * exchange.shape[1]
+                self._finish(channel, f"{exchange.name}output stream")
+                if (came := channel.transferred) != size:
                     raise StreamTimeout(
-                        f"the {name}output stream ended after {came} of {size} bytes; reset the array"
+                        f"the {exchange.name}output stream ended after {came} of {size} bytes; reset the array"
                     )
             return [
-                np.array(lent.buffer, dtype=np.uint8).reshape(count, sent.shape[1])
-                for lent, (_, _, sent, count) in zip(received, exchanges, strict=True)
+                np.array(exchange.received.buffer, dtype=np.uint8).reshape(exchange.shape)
+                for exchange in self._exchanges
             ]
         finally:
+            self._exchanges = []
             self._reclaim()
 
     def reset(self) -> None:
@@ -204,7 +233,7 @@ class PynqTransport:
                 dma.recvchannel.start()
         for lent in self._lent:
             lent.buffer.freebuffer()
-        self._lent = []
+        self._lent, self._exchanges = [], []
 
     def _borrow(self, size: int) -> _Lent:
         lent = _Lent(self._allocate(shape=(size,), dtype=np.uint8))
@@ -222,8 +251,13 @@ class PynqTransport:
         channel.transfer(lent.buffer)
 
     def _reclaim(self) -> None:
-        """Free every buffer that no channel can touch any more."""
-        busy = [lent for lent in self._lent if lent.channel is not None and not lent.channel.idle]
+        """Free every buffer that no channel can touch any more and nobody is going to read."""
+        awaited = [exchange.received for exchange in self._exchanges]
+        busy = [
+            lent
+            for lent in self._lent
+            if lent in awaited or (lent.channel is not None and not lent.channel.idle)
+        ]
         for lent in self._lent:
             if lent not in busy:
                 lent.buffer.freebuffer()

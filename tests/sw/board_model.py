@@ -109,11 +109,11 @@ class OverlayBoard(FakeArray):
         packed = pack_layer(case, array)
         words = packed.weights.reshape(-1, packed.weights.shape[2])
         self.words = {
-            2: [int.from_bytes(bytes(word), "little") for word in words],
-            4: packed.requant_ints(),
+            (2, 0): [int.from_bytes(bytes(word), "little") for word in words],
+            (4, 0): packed.requant_ints(),
         }
         if fault == "not preloaded":
-            self.words[2] = [0] * len(self.words[2])
+            self.words[2, 0] = [0] * len(self.words[2, 0])
         if fault == "another array":
             self.registers["GEOMETRY"] += 1
         self.output = None

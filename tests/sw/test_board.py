@@ -227,7 +227,7 @@ def test_more_than_a_transfer_holds_is_refused_before_it_starts(beats, out, name
     _, fake, transport, _ = board()
     huge = np.broadcast_to(np.uint8(0), (beats, 1))
     with pytest.raises(ValueError, match=rf"{name} stream would carry 67108864 bytes, .* at most 67108863"):
-        run_sync(transport.run_stream(huge, out))
+        run_sync(transport.begin_stream(huge, out))
     with pytest.raises(ValueError, match="parameter stream would carry"):
         run_sync(transport.send_params(np.broadcast_to(np.uint8(0), (MAX_TRANSFER + 1, 1))))
     assert fake.buffers_made == []

@@ -73,12 +73,19 @@ def test_every_weight_field_lies_where_the_contract_says(packing):
         words = packed.unit_words(u)
         for address, word in enumerate(words):
             assert 0 <= word < 1 << array.weight_word_bits
-            tile, ky, cb = address // (3 * blocks), address // blocks % 3, address % blocks
+            phases = array.phases(case.spec)
+            rest, cb = divmod(address, blocks)
+            rest, phase = divmod(rest, phases)
+            tile, ky = divmod(rest, case.spec.kernel)
+            # Field j of the pixel in column 4 g + p counts towards column 4 g + p + j - 1.
+            taps = {(1, 1): [None, 0, None], (3, 1): [2, 1, 0]}.get(
+                (case.spec.kernel, phases), [[None, 1, None], [None, 2, 0]][phase]
+            )
             for r in range(array.rows):
                 for j in range(3):
                     out, inp = tile * array.units + u, cb * array.rows + r
-                    inside = out < case.spec.c_out and inp < case.spec.c_in
-                    wanted = case.weights[out, inp, ky, 2 - j] if inside else 0
+                    inside = out < case.spec.c_out and inp < case.spec.c_in and taps[j] is not None
+                    wanted = case.weights[out, inp, ky, taps[j]] if inside else 0
                     assert field(word, (r * 3 + j) * bits, bits, signed=True) == wanted
 
 
@@ -88,7 +95,8 @@ def test_every_requantiser_field_lies_where_the_contract_says(packing):
     case, array = packing
     packed = pack_layer(case, array)
     requant = derive_requant(case.spec, case.scale, case.offset)
-    acc, entry = array.accumulator, array.requant_entry_bits
+    acc, entry, border = array.accumulator, array.requant_entry_bits, array.border
+    half = 4 if array.biased(case.spec) else 0
     words = packed.requant_ints()
     assert len(words) == packed.requant_words == array.tiles(case.spec.c_out) * array.units // array.drain
     for address, word in enumerate(words):
@@ -103,9 +111,14 @@ def test_every_requantiser_field_lies_where_the_contract_says(packing):
                 ]
                 zero = -array.output.lo if array.output.signed else 0
                 absent = [acc.lo] * zero + [acc.hi] * (array.thresholds - zero)
-                assert found == (requant.thresholds[c].tolist() if inside else absent)
-                assert field(word, low + entry - 1, 1, signed=False) == (inside and requant.invert[c])
+                end = low + array.thresholds * acc.bits
+                raised = half * case.weights[c].sum() if inside else 0
+                wanted = (requant.thresholds[c] + raised).clip(acc.lo, acc.hi).tolist() if inside else absent
+                assert found == wanted
+                assert field(word, end, 1, signed=False) == (inside and requant.invert[c])
+                end += 1
             else:
+                end = low + 72
                 assert field(word, low, 18, signed=True) == (requant.mult[c] if inside else 0)
                 assert field(word, low + 18, 48, signed=True) == (requant.offset[c] if inside else 0)
                 assert field(word, low + 66, 6, signed=False) == (requant.shift[c] if inside else 0)
@@ -176,7 +189,7 @@ def test_reference_layer_packs_within_a_second():
     packed = pack_layer(case, REFERENCE)
     assert time.perf_counter() - start < 1
     assert packed.weights.shape == (64, 48, 9)
-    assert packed.requant.shape == (32, 4 * (7 * 19 + 1) // 8)
+    assert packed.requant.shape == (32, 4 * (7 * 19 + 1 + 2 * 17) // 8)
     assert packed.requantiser == "threshold"
 
 
@@ -286,8 +299,8 @@ def test_damaged_folders_are_refused(tmp_path, damage, words):
 
 
 def test_a_layer_the_array_does_not_admit_is_refused():
-    case = random_case(ConvSpec(4, 8, 5, 5, kernel=1, padding=0), seed=0)
-    with pytest.raises(ValueError, match="runs 3x3 kernels"):
+    case = random_case(ConvSpec(4, 8, 5, 5, padding=0), seed=0)
+    with pytest.raises(ValueError, match="runs 3x3 kernels with padding 1 and 1x1 kernels with padding 0"):
         pack_layer(case, TINY)
     with pytest.raises(ValueError, match="c_in must be at most 16, not 17"):
         pack_layer(random_case(layer_for(TINY, 17, 8), seed=0), TINY)
@@ -323,7 +336,8 @@ def test_a_flipped_bit_changes_what_is_unpacked():
     changed, _ = unpack(dataclasses.replace(packed, weights=weights))
     assert (changed != case.weights).sum() == 1
     requant = packed.requant.copy()
-    requant[0, (TINY.requant_entry_bits - 1) // 8] ^= 1 << (TINY.requant_entry_bits - 1) % 8
+    invert = TINY.thresholds * TINY.accumulator.bits
+    requant[0, invert // 8] ^= 1 << invert % 8
     _, turned = unpack(dataclasses.replace(packed, requant=requant))
     assert isinstance(turned, ThresholdRequant)
     assert turned.invert[0] != unpack(packed)[1].invert[0]

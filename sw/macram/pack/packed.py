@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -21,7 +22,7 @@ from macram.pack.layout import (
     unpack_weights,
 )
 from macram.pack.signed import Rise
-from macram.spec import ArrayConfig, ConvSpec, words_to_beats
+from macram.spec import ArrayConfig, ConvSpec, channel_passes, words_to_beats
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,6 +129,20 @@ def pack_layer(case: LayerCase, array: ArrayConfig) -> PackedLayer:
         pack_weights(case.weights, spec, array),
         pack_requant(requant, Rise.of(case.weights, spec, array), array, array.requant_words(spec)),
     )
+
+
+def pack_passes(case: LayerCase, array: ArrayConfig) -> list[PackedLayer]:
+    """`pack_layer` of every pass over the output channels, see `macram.spec.channel_passes`.
+
+    Raises:
+        ValueError: the array does not admit even one tile of the layer; the line names the limit.
+    """
+    parts = []
+    for channels in channel_passes(case.spec, array):
+        part = slice(channels.start, channels.stop)
+        spec = dataclasses.replace(case.spec, c_out=len(channels))
+        parts.append(LayerCase(spec, case.weights[part], case.input, case.scale[part], case.offset[part]))
+    return [pack_layer(part, array) for part in parts]
 
 
 def unpack(packed: PackedLayer) -> tuple[NDArray[np.int64], ThresholdRequant | ShiftRequant]:

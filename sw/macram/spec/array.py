@@ -74,7 +74,7 @@ class ArrayConfig:
     output: IntFormat = field(default_factory=lambda: IntFormat(3))
     max_c_in: int = 1024
     max_c_out: int = 1024
-    weight_depth: int = 512
+    weight_depth: int = 1024
     row_words: int = 512
     stream_bits: int = 64
     ingest: int = 2

@@ -106,7 +106,8 @@ class SelfTest:
         self._write("CONTROL", Control.START)
         try:
             beats = case.spec.out_height * case.spec.out_width * output.beats_per_pixel
-            run_sync(self._board.transport.run_stream(row, beats))
+            run_sync(self._board.transport.begin_stream(row, beats))
+            run_sync(self._board.transport.end_stream())
         except StreamTimeout:
             self._expect_error(Error.TLAST_EARLY)
         else:
