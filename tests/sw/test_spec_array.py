@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from macram.spec import BY_NAME, REGISTERS, ArrayConfig, ConvSpec, IntFormat
+from macram.spec import BY_NAME, REGISTERS, ArrayConfig, ConvSpec, IntFormat, channel_passes, pass_specs
 from macram.spec.registers import ADDRESS_BITS, ID_VALUE
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -15,7 +15,7 @@ def test_reference_figures():
     assert array == ArrayConfig()
     assert str(array.accumulator) == "s19"
     assert (array.weight_word_bits, array.line_word_bits, array.block_bits) == (72, 96, 24)
-    assert (array.thresholds, array.requant_entry_bits, array.requant_word_bits) == (7, 134, 536)
+    assert (array.thresholds, array.requant_entry_bits, array.requant_word_bits) == (7, 168, 672)
     assert (array.requant_depth, array.max_tiles, array.drain_cycles) == (256, 16, 16)
     assert array.peak_macs == 6144
     layer = ConvSpec(64, 128, 128, 128)
