@@ -114,7 +114,9 @@ class UnitCore(wiring.Component):
                 *(port.eq(term) for port, term in zip((adder.b, adder.c), terms, strict=False)),
                 *(port.eq(bit) for port, bit in zip((adder.x, adder.ci), carries, strict=False)),
             ]
-            with m.If(done):
+            # Cleared ahead of each first step, not behind the last: a soft reset leaves a sum unfinished, and it does
+            # not reach the unit.
+            with m.If(early.en & early.first):
                 m.d.sync += running.eq(0)
             with m.Elif(control.en):
                 m.d.sync += running.eq(adder.total)

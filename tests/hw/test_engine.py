@@ -10,12 +10,13 @@ from macram.spec import ENGINE_LATENCY, GROUP, LANES, TAPS, ArrayConfig, IntForm
 from macram_hw.engine import make_engine
 
 CASES = [(3, "u3"), (3, "s3"), (2, "u8"), (8, "u8"), (8, "s8"), (4, "u2")]
-DSP_CASES = [(3, "u3"), (2, "u3"), (3, "u2")]
+PACKED_CASES = [(3, "u3"), (2, "u3"), (3, "u2")]
 
 
 @pytest.mark.parametrize(
     ("kind", "weight", "act"),
-    [("portable", *case) for case in CASES] + [("dsp48e2", *case) for case in DSP_CASES],
+    [("portable", *case) for case in CASES]
+    + [(kind, *case) for kind in ("dsp48e2", "soft") for case in PACKED_CASES],
 )
 def test_lanes_are_a_1d_convolution(kind, weight, act):
     cfg = ArrayConfig(
@@ -35,7 +36,9 @@ def test_lanes_are_a_1d_convolution(kind, weight, act):
         for cycle in range(len(cases) + latency):
             if cycle >= latency:
                 pixels, taps = cases[cycle - latency]
-                lanes = [ctx.get(dut.lanes[k]) + ctx.get(dut.carries[k]) for k in range(LANES)]
+                operands = [dut.operand(k) for k in range(LANES)]
+                assert all(operand.lo <= ctx.get(operand.value) <= operand.hi for operand in operands)
+                lanes = [ctx.get(operands[k].value) + ctx.get(dut.carries[k]) for k in range(LANES)]
                 assert lanes == np.convolve(pixels, taps).tolist(), (pixels, taps)
             pixels, taps = cases[min(cycle, len(cases) - 1)]
             for i, pixel in enumerate(pixels):
@@ -48,10 +51,14 @@ def test_lanes_are_a_1d_convolution(kind, weight, act):
 
 
 @pytest.mark.parametrize(("weight", "act"), [(4, "u3"), (3, "u4"), (3, "s3")])
-def test_the_dsp_kind_refuses_other_formats(weight, act):
-    with pytest.raises(ValueError, match="engine dsp48e2 takes weights and unsigned inputs of up to 3 bits"):
+@pytest.mark.parametrize(
+    ("kind", "soft_rows", "named"), [("dsp48e2", 0, "dsp48e2"), ("soft", 0, "soft"), ("portable", 1, "soft")]
+)
+def test_the_other_kinds_refuse_other_formats(weight, act, kind, soft_rows, named):
+    with pytest.raises(ValueError, match=f"engine {named} takes weights and unsigned inputs of up to 3 bits"):
         ArrayConfig(
             weight=IntFormat(weight, signed=True),
             input=IntFormat(int(act[1:]), signed=act[0] == "s"),
-            engine="dsp48e2",
+            engine=kind,
+            soft_rows=soft_rows,
         )

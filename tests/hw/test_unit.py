@@ -29,9 +29,11 @@ def interleaved(core, config):
     return m
 
 
-@pytest.mark.parametrize("engine", list(ENGINE_LATENCY))
+@pytest.mark.parametrize(
+    ("engine", "soft_rows"), [*((engine, 0) for engine in ENGINE_LATENCY), ("dsp48e2", 1)]
+)
 @pytest.mark.parametrize("kind", ["random", "most negative", "most positive", "zero"])
-def test_rows_of_several_tiles_interleave_without_mixing(kind, engine):
+def test_rows_of_several_tiles_interleave_without_mixing(kind, engine, soft_rows):
     """Two rows of 12 columns, 3 tiles, 2 steps per sum: all columns but the last of the last row appear."""
     rng = np.random.default_rng(5)
     rows, width, tiles, steps = 2, 12, 3, 2
@@ -52,7 +54,7 @@ def test_rows_of_several_tiles_interleave_without_mixing(kind, engine):
     plan = [
         (y, g, t, s) for y in range(rows) for g in range(groups) for t in range(tiles) for s in range(steps)
     ]
-    config = replace(CONFIG, engine=engine)
+    config = replace(CONFIG, engine=engine, soft_rows=soft_rows)
     dut = UnitCore(config)
     design = interleaved(dut, config) if config.paired_rows else dut
     results = {}

@@ -16,7 +16,8 @@ from macram.perf import estimate
 from macram.spec import ArrayConfig, ConvSpec
 from macram_sim.array import simulate
 
-TINY = ArrayConfig.from_toml(Path(__file__).parents[2] / "configs" / "tiny.toml")
+CONFIGS = Path(__file__).parents[2] / "configs"
+TINY = ArrayConfig.from_toml(CONFIGS / "tiny.toml")
 
 # Channels in and out, height, width: one pixel, one group, narrow, full last group, drain-bound, many tiles.
 SHAPES = [
@@ -62,23 +63,34 @@ def test_cycles_are_the_closed_form(toolchain, shape):
         assert_as_estimated(spec, TINY, counters)
 
 
-@pytest.mark.parametrize("rows", [3, 5, 6, 11])
-def test_any_number_of_rows(toolchain, rows):
-    """Row counts that are no power of two, with a part block, one whole block and many blocks."""
-    array = dataclasses.replace(TINY, name=f"rows{rows}", rows=rows, max_c_in=3 * rows + 1, row_words=64)
-    for channels in (2, rows, 3 * rows + 1):
-        spec = ConvSpec(channels, 11, 4, 9)
-        case = random_case(spec, seed=rows)
+@pytest.mark.parametrize(
+    ("rows", "engine", "soft_rows"),
+    [
+        (3, "soft", 0),
+        (6, "dsp48e2", 1),
+        pytest.param(5, "portable", 2, marks=pytest.mark.slow),
+        pytest.param(11, "dsp48e2", 3, marks=pytest.mark.slow),
+    ],
+)
+def test_any_number_of_rows_of_any_kinds(toolchain, rows, engine, soft_rows):
+    """Row counts that are no power of two, mixed kinds; a part block, one whole block and many, extreme codes."""
+    array = dataclasses.replace(
+        TINY, rows=rows, engine=engine, soft_rows=soft_rows, max_c_in=3 * rows + 1, row_words=64
+    )
+    for channels, kind in ((2, "uniform"), (rows, "min"), (rows, "max"), (3 * rows + 1, "extremes")):
+        spec = ConvSpec(channels, 11, 4, 12)
+        case = random_case(spec, seed=rows, kind=kind)
         result = simulate(pack_layer(case, array), case.input, seed=rows)
         np.testing.assert_array_equal(result.codes, run_layer(case))
         assert_as_estimated(spec, array, result.counters)
 
 
 @pytest.mark.slow
-def test_the_reference_layer_takes_197205_cycles(toolchain):
-    spec, array = ConvSpec(64, 128, 128, 128), ArrayConfig()
+@pytest.mark.parametrize(("name", "cycles"), [("reference", 197_205), ("paper", 271_209), ("zu3eg", 148_052)])
+def test_the_reference_layer(toolchain, name, cycles):
+    spec, array = ConvSpec(64, 128, 128, 128), ArrayConfig.from_toml(CONFIGS / f"{name}.toml")
     case = random_case(spec, seed=3)
     result = simulate(pack_layer(case, array), case.input, seed=3)
     np.testing.assert_array_equal(result.codes, run_layer(case))
     assert_as_estimated(spec, array, result.counters)
-    assert result.counters["cycles"] == 197_205
+    assert result.counters["cycles"] == cycles

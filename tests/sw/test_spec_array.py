@@ -40,6 +40,13 @@ def test_ready_made_configurations_survive_the_round_trip(path):
     assert array.name == path.stem
 
 
+def test_the_slowest_kind_of_a_mixed_unit_gives_the_latency():
+    mixed = ArrayConfig(rows=6, engine="dsp48e2", soft_rows=2)
+    assert mixed.row_kinds == ("dsp48e2",) * 4 + ("soft",) * 2
+    assert (mixed.engine_latency, ArrayConfig(engine="soft").engine_latency) == (4, 1)
+    assert (mixed.xilinx, ArrayConfig().xilinx) == (True, False)
+
+
 def test_eight_output_bits_use_the_multiplier():
     array = ArrayConfig(output=IntFormat(8))
     assert (array.thresholds, array.requant_entry_bits) == (0, 18 + 48 + 6 + 2 * 17)
@@ -59,6 +66,12 @@ def test_eight_output_bits_use_the_multiplier():
         ({"weight_depth": 2}, r"weight_depth must be in 3\.\.65536, not 2"),
         ({"row_words": 511}, "row_words must be a multiple of ingest = 2, not 511"),
         ({"engine": "fast"}, "engine must be one of .*portable.*, not 'fast'"),
+        ({"soft_rows": 8}, r"soft_rows must be in 0\.\.7 with 8 rows of engine portable, not 8"),
+        ({"soft_rows": -1}, r"soft_rows must be in 0\.\.7 .*, not -1"),
+        (
+            {"engine": "soft", "soft_rows": 1},
+            r"soft_rows must be in 0\.\.0 with 8 rows of engine soft, not 1",
+        ),
         ({"output": IntFormat(9)}, r"output bits must be in 2\.\.8, not 9"),
         ({"input": IntFormat(1)}, r"input bits must be in 2\.\.8, not 1"),
         ({"weight": IntFormat(3)}, "weight must be a signed format, not u3"),
