@@ -160,7 +160,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .cycles(cycles),
     .done(done),
     .drain_cycles(drain_cycles),
-    .\error$608 (error),
+    .\error$609 (error),
     .fill_cycles(fill_cycles),
     .height(height),
     .i__payload(i__payload),
@@ -280,7 +280,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__ready, \o__valid$51 , i__payload, \i__payload$53 , \port$1022$0 , height, width, c_in, c_out, mode, words, \error$608 , done, cycles, mac_cycles, fill_cycles
+module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__ready, \o__valid$51 , i__payload, \i__payload$53 , \port$1022$0 , height, width, c_in, c_out, mode, words, \error$609 , done, cycles, mac_cycles, fill_cycles
 , input_stalls, output_stalls, drain_cycles, \o__payload$47 , \busy$16 , clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
@@ -356,137 +356,137 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire [3:0] \$8 ;
   wire [3:0] \$9 ;
   wire \$signal ;
-  wire \$signal$603 ;
-  reg \$signal$604  = 1'h0;
+  wire \$signal$604 ;
+  reg \$signal$605  = 1'h0;
   reg \$signal$621  = 1'h0;
   wire [95:0] activations;
-  wire [95:0] \activations$105 ;
-  wire [95:0] \activations$114 ;
-  wire [95:0] \activations$123 ;
-  wire [95:0] \activations$132 ;
-  wire [95:0] \activations$140 ;
-  wire [95:0] \activations$148 ;
-  wire [95:0] \activations$156 ;
-  wire [95:0] \activations$164 ;
-  wire [95:0] \activations$172 ;
-  wire [95:0] \activations$180 ;
-  wire [95:0] \activations$188 ;
-  wire [95:0] \activations$196 ;
-  wire [95:0] \activations$204 ;
-  wire [95:0] \activations$212 ;
-  wire [95:0] \activations$220 ;
-  wire [95:0] \activations$228 ;
-  wire [95:0] \activations$236 ;
-  wire [95:0] \activations$244 ;
-  wire [95:0] \activations$252 ;
-  wire [95:0] \activations$260 ;
-  wire [95:0] \activations$268 ;
-  wire [95:0] \activations$276 ;
-  wire [95:0] \activations$284 ;
-  wire [95:0] \activations$292 ;
-  wire [95:0] \activations$300 ;
-  wire [95:0] \activations$308 ;
-  wire [95:0] \activations$316 ;
-  wire [95:0] \activations$324 ;
-  wire [95:0] \activations$332 ;
-  wire [95:0] \activations$340 ;
-  wire [95:0] \activations$348 ;
-  wire [95:0] \activations$356 ;
-  wire [95:0] \activations$364 ;
-  wire [95:0] \activations$372 ;
-  wire [95:0] \activations$380 ;
-  wire [95:0] \activations$388 ;
-  wire [95:0] \activations$396 ;
-  wire [95:0] \activations$404 ;
-  wire [95:0] \activations$412 ;
-  wire [95:0] \activations$420 ;
-  wire [95:0] \activations$428 ;
-  wire [95:0] \activations$436 ;
-  wire [95:0] \activations$444 ;
-  wire [95:0] \activations$452 ;
-  wire [95:0] \activations$460 ;
-  wire [95:0] \activations$468 ;
-  wire [95:0] \activations$476 ;
-  wire [95:0] \activations$484 ;
-  wire [95:0] \activations$492 ;
-  wire [95:0] \activations$500 ;
-  wire [95:0] \activations$508 ;
-  wire [95:0] \activations$516 ;
-  wire [95:0] \activations$524 ;
-  wire [95:0] \activations$532 ;
-  wire [95:0] \activations$540 ;
-  wire [95:0] \activations$548 ;
-  wire [95:0] \activations$556 ;
-  wire [95:0] \activations$564 ;
-  wire [95:0] \activations$572 ;
-  wire [95:0] \activations$580 ;
-  wire [95:0] \activations$586 ;
-  wire [95:0] \activations$592 ;
-  wire [95:0] \activations$598 ;
+  wire [95:0] \activations$106 ;
+  wire [95:0] \activations$115 ;
+  wire [95:0] \activations$124 ;
+  wire [95:0] \activations$133 ;
+  wire [95:0] \activations$141 ;
+  wire [95:0] \activations$149 ;
+  wire [95:0] \activations$157 ;
+  wire [95:0] \activations$165 ;
+  wire [95:0] \activations$173 ;
+  wire [95:0] \activations$181 ;
+  wire [95:0] \activations$189 ;
+  wire [95:0] \activations$197 ;
+  wire [95:0] \activations$205 ;
+  wire [95:0] \activations$213 ;
+  wire [95:0] \activations$221 ;
+  wire [95:0] \activations$229 ;
+  wire [95:0] \activations$237 ;
+  wire [95:0] \activations$245 ;
+  wire [95:0] \activations$253 ;
+  wire [95:0] \activations$261 ;
+  wire [95:0] \activations$269 ;
+  wire [95:0] \activations$277 ;
+  wire [95:0] \activations$285 ;
+  wire [95:0] \activations$293 ;
+  wire [95:0] \activations$301 ;
+  wire [95:0] \activations$309 ;
+  wire [95:0] \activations$317 ;
+  wire [95:0] \activations$325 ;
+  wire [95:0] \activations$333 ;
+  wire [95:0] \activations$341 ;
+  wire [95:0] \activations$349 ;
+  wire [95:0] \activations$357 ;
+  wire [95:0] \activations$365 ;
+  wire [95:0] \activations$373 ;
+  wire [95:0] \activations$381 ;
+  wire [95:0] \activations$389 ;
+  wire [95:0] \activations$397 ;
+  wire [95:0] \activations$405 ;
+  wire [95:0] \activations$413 ;
+  wire [95:0] \activations$421 ;
+  wire [95:0] \activations$429 ;
+  wire [95:0] \activations$437 ;
+  wire [95:0] \activations$445 ;
+  wire [95:0] \activations$453 ;
+  wire [95:0] \activations$461 ;
+  wire [95:0] \activations$469 ;
+  wire [95:0] \activations$477 ;
+  wire [95:0] \activations$485 ;
+  wire [95:0] \activations$493 ;
+  wire [95:0] \activations$501 ;
+  wire [95:0] \activations$509 ;
+  wire [95:0] \activations$517 ;
+  wire [95:0] \activations$525 ;
+  wire [95:0] \activations$533 ;
+  wire [95:0] \activations$541 ;
+  wire [95:0] \activations$549 ;
+  wire [95:0] \activations$557 ;
+  wire [95:0] \activations$565 ;
+  wire [95:0] \activations$573 ;
+  wire [95:0] \activations$581 ;
+  wire [95:0] \activations$587 ;
+  wire [95:0] \activations$593 ;
+  wire [95:0] \activations$599 ;
   wire [8:0] address;
-  wire [8:0] \address$102 ;
-  wire [8:0] \address$111 ;
-  wire [8:0] \address$120 ;
-  wire [8:0] \address$129 ;
-  wire [8:0] \address$137 ;
-  wire [8:0] \address$145 ;
-  wire [8:0] \address$153 ;
-  wire [8:0] \address$161 ;
-  wire [8:0] \address$169 ;
-  wire [8:0] \address$177 ;
-  wire [8:0] \address$185 ;
-  wire [8:0] \address$193 ;
-  wire [8:0] \address$201 ;
-  wire [8:0] \address$209 ;
-  wire [8:0] \address$217 ;
-  wire [8:0] \address$225 ;
-  wire [8:0] \address$233 ;
-  wire [8:0] \address$241 ;
-  wire [8:0] \address$249 ;
-  wire [8:0] \address$257 ;
-  wire [8:0] \address$265 ;
-  wire [8:0] \address$273 ;
-  wire [8:0] \address$281 ;
-  wire [8:0] \address$289 ;
-  wire [8:0] \address$297 ;
-  wire [8:0] \address$305 ;
-  wire [8:0] \address$313 ;
-  wire [8:0] \address$321 ;
-  wire [8:0] \address$329 ;
-  wire [8:0] \address$337 ;
-  wire [8:0] \address$345 ;
-  wire [8:0] \address$353 ;
-  wire [8:0] \address$361 ;
-  wire [8:0] \address$369 ;
-  wire [8:0] \address$377 ;
-  wire [8:0] \address$385 ;
-  wire [8:0] \address$393 ;
-  wire [8:0] \address$401 ;
-  wire [8:0] \address$409 ;
-  wire [8:0] \address$417 ;
-  wire [8:0] \address$425 ;
-  wire [8:0] \address$433 ;
-  wire [8:0] \address$441 ;
-  wire [8:0] \address$449 ;
-  wire [8:0] \address$457 ;
-  wire [8:0] \address$465 ;
-  wire [8:0] \address$473 ;
-  wire [8:0] \address$481 ;
-  wire [8:0] \address$489 ;
-  wire [8:0] \address$497 ;
-  wire [8:0] \address$505 ;
-  wire [8:0] \address$513 ;
-  wire [8:0] \address$521 ;
-  wire [8:0] \address$529 ;
-  wire [8:0] \address$537 ;
-  wire [8:0] \address$545 ;
-  wire [8:0] \address$553 ;
-  wire [8:0] \address$561 ;
-  wire [8:0] \address$569 ;
-  wire [8:0] \address$577 ;
-  wire [8:0] \address$583 ;
-  wire [8:0] \address$589 ;
-  wire [8:0] \address$595 ;
+  wire [8:0] \address$103 ;
+  wire [8:0] \address$112 ;
+  wire [8:0] \address$121 ;
+  wire [8:0] \address$130 ;
+  wire [8:0] \address$138 ;
+  wire [8:0] \address$146 ;
+  wire [8:0] \address$154 ;
+  wire [8:0] \address$162 ;
+  wire [8:0] \address$170 ;
+  wire [8:0] \address$178 ;
+  wire [8:0] \address$186 ;
+  wire [8:0] \address$194 ;
+  wire [8:0] \address$202 ;
+  wire [8:0] \address$210 ;
+  wire [8:0] \address$218 ;
+  wire [8:0] \address$226 ;
+  wire [8:0] \address$234 ;
+  wire [8:0] \address$242 ;
+  wire [8:0] \address$250 ;
+  wire [8:0] \address$258 ;
+  wire [8:0] \address$266 ;
+  wire [8:0] \address$274 ;
+  wire [8:0] \address$282 ;
+  wire [8:0] \address$290 ;
+  wire [8:0] \address$298 ;
+  wire [8:0] \address$306 ;
+  wire [8:0] \address$314 ;
+  wire [8:0] \address$322 ;
+  wire [8:0] \address$330 ;
+  wire [8:0] \address$338 ;
+  wire [8:0] \address$346 ;
+  wire [8:0] \address$354 ;
+  wire [8:0] \address$362 ;
+  wire [8:0] \address$370 ;
+  wire [8:0] \address$378 ;
+  wire [8:0] \address$386 ;
+  wire [8:0] \address$394 ;
+  wire [8:0] \address$402 ;
+  wire [8:0] \address$410 ;
+  wire [8:0] \address$418 ;
+  wire [8:0] \address$426 ;
+  wire [8:0] \address$434 ;
+  wire [8:0] \address$442 ;
+  wire [8:0] \address$450 ;
+  wire [8:0] \address$458 ;
+  wire [8:0] \address$466 ;
+  wire [8:0] \address$474 ;
+  wire [8:0] \address$482 ;
+  wire [8:0] \address$490 ;
+  wire [8:0] \address$498 ;
+  wire [8:0] \address$506 ;
+  wire [8:0] \address$514 ;
+  wire [8:0] \address$522 ;
+  wire [8:0] \address$530 ;
+  wire [8:0] \address$538 ;
+  wire [8:0] \address$546 ;
+  wire [8:0] \address$554 ;
+  wire [8:0] \address$562 ;
+  wire [8:0] \address$570 ;
+  wire [8:0] \address$578 ;
+  wire [8:0] \address$584 ;
+  wire [8:0] \address$590 ;
+  wire [8:0] \address$596 ;
   wire [15:0] beats_per_pixel;
   wire [15:0] \beats_per_pixel$69 ;
   wire blocked;
@@ -501,621 +501,621 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire [31:0] c_out;
   wire [31:0] \c_out$7 ;
   wire [75:0] chain_i;
-  wire [75:0] \chain_i$109 ;
-  wire [18:0] \chain_i$109[0] ;
-  wire [18:0] \chain_i$109[1] ;
-  wire [18:0] \chain_i$109[2] ;
-  wire [18:0] \chain_i$109[3] ;
-  wire [75:0] \chain_i$118 ;
-  wire [18:0] \chain_i$118[0] ;
-  wire [18:0] \chain_i$118[1] ;
-  wire [18:0] \chain_i$118[2] ;
-  wire [18:0] \chain_i$118[3] ;
-  wire [75:0] \chain_i$127 ;
-  wire [18:0] \chain_i$127[0] ;
-  wire [18:0] \chain_i$127[1] ;
-  wire [18:0] \chain_i$127[2] ;
-  wire [18:0] \chain_i$127[3] ;
-  wire [75:0] \chain_i$135 ;
-  wire [18:0] \chain_i$135[0] ;
-  wire [18:0] \chain_i$135[1] ;
-  wire [18:0] \chain_i$135[2] ;
-  wire [18:0] \chain_i$135[3] ;
-  wire [75:0] \chain_i$143 ;
-  wire [18:0] \chain_i$143[0] ;
-  wire [18:0] \chain_i$143[1] ;
-  wire [18:0] \chain_i$143[2] ;
-  wire [18:0] \chain_i$143[3] ;
-  wire [75:0] \chain_i$151 ;
-  wire [18:0] \chain_i$151[0] ;
-  wire [18:0] \chain_i$151[1] ;
-  wire [18:0] \chain_i$151[2] ;
-  wire [18:0] \chain_i$151[3] ;
-  wire [75:0] \chain_i$159 ;
-  wire [18:0] \chain_i$159[0] ;
-  wire [18:0] \chain_i$159[1] ;
-  wire [18:0] \chain_i$159[2] ;
-  wire [18:0] \chain_i$159[3] ;
-  wire [75:0] \chain_i$167 ;
-  wire [18:0] \chain_i$167[0] ;
-  wire [18:0] \chain_i$167[1] ;
-  wire [18:0] \chain_i$167[2] ;
-  wire [18:0] \chain_i$167[3] ;
-  wire [75:0] \chain_i$175 ;
-  wire [18:0] \chain_i$175[0] ;
-  wire [18:0] \chain_i$175[1] ;
-  wire [18:0] \chain_i$175[2] ;
-  wire [18:0] \chain_i$175[3] ;
-  wire [75:0] \chain_i$183 ;
-  wire [18:0] \chain_i$183[0] ;
-  wire [18:0] \chain_i$183[1] ;
-  wire [18:0] \chain_i$183[2] ;
-  wire [18:0] \chain_i$183[3] ;
-  wire [75:0] \chain_i$191 ;
-  wire [18:0] \chain_i$191[0] ;
-  wire [18:0] \chain_i$191[1] ;
-  wire [18:0] \chain_i$191[2] ;
-  wire [18:0] \chain_i$191[3] ;
-  wire [75:0] \chain_i$199 ;
-  wire [18:0] \chain_i$199[0] ;
-  wire [18:0] \chain_i$199[1] ;
-  wire [18:0] \chain_i$199[2] ;
-  wire [18:0] \chain_i$199[3] ;
-  wire [75:0] \chain_i$207 ;
-  wire [18:0] \chain_i$207[0] ;
-  wire [18:0] \chain_i$207[1] ;
-  wire [18:0] \chain_i$207[2] ;
-  wire [18:0] \chain_i$207[3] ;
-  wire [75:0] \chain_i$215 ;
-  wire [18:0] \chain_i$215[0] ;
-  wire [18:0] \chain_i$215[1] ;
-  wire [18:0] \chain_i$215[2] ;
-  wire [18:0] \chain_i$215[3] ;
-  wire [75:0] \chain_i$223 ;
-  wire [18:0] \chain_i$223[0] ;
-  wire [18:0] \chain_i$223[1] ;
-  wire [18:0] \chain_i$223[2] ;
-  wire [18:0] \chain_i$223[3] ;
-  wire [75:0] \chain_i$231 ;
-  wire [18:0] \chain_i$231[0] ;
-  wire [18:0] \chain_i$231[1] ;
-  wire [18:0] \chain_i$231[2] ;
-  wire [18:0] \chain_i$231[3] ;
-  wire [75:0] \chain_i$239 ;
-  wire [18:0] \chain_i$239[0] ;
-  wire [18:0] \chain_i$239[1] ;
-  wire [18:0] \chain_i$239[2] ;
-  wire [18:0] \chain_i$239[3] ;
-  wire [75:0] \chain_i$247 ;
-  wire [18:0] \chain_i$247[0] ;
-  wire [18:0] \chain_i$247[1] ;
-  wire [18:0] \chain_i$247[2] ;
-  wire [18:0] \chain_i$247[3] ;
-  wire [75:0] \chain_i$255 ;
-  wire [18:0] \chain_i$255[0] ;
-  wire [18:0] \chain_i$255[1] ;
-  wire [18:0] \chain_i$255[2] ;
-  wire [18:0] \chain_i$255[3] ;
-  wire [75:0] \chain_i$263 ;
-  wire [18:0] \chain_i$263[0] ;
-  wire [18:0] \chain_i$263[1] ;
-  wire [18:0] \chain_i$263[2] ;
-  wire [18:0] \chain_i$263[3] ;
-  wire [75:0] \chain_i$271 ;
-  wire [18:0] \chain_i$271[0] ;
-  wire [18:0] \chain_i$271[1] ;
-  wire [18:0] \chain_i$271[2] ;
-  wire [18:0] \chain_i$271[3] ;
-  wire [75:0] \chain_i$279 ;
-  wire [18:0] \chain_i$279[0] ;
-  wire [18:0] \chain_i$279[1] ;
-  wire [18:0] \chain_i$279[2] ;
-  wire [18:0] \chain_i$279[3] ;
-  wire [75:0] \chain_i$287 ;
-  wire [18:0] \chain_i$287[0] ;
-  wire [18:0] \chain_i$287[1] ;
-  wire [18:0] \chain_i$287[2] ;
-  wire [18:0] \chain_i$287[3] ;
-  wire [75:0] \chain_i$295 ;
-  wire [18:0] \chain_i$295[0] ;
-  wire [18:0] \chain_i$295[1] ;
-  wire [18:0] \chain_i$295[2] ;
-  wire [18:0] \chain_i$295[3] ;
-  wire [75:0] \chain_i$303 ;
-  wire [18:0] \chain_i$303[0] ;
-  wire [18:0] \chain_i$303[1] ;
-  wire [18:0] \chain_i$303[2] ;
-  wire [18:0] \chain_i$303[3] ;
-  wire [75:0] \chain_i$311 ;
-  wire [18:0] \chain_i$311[0] ;
-  wire [18:0] \chain_i$311[1] ;
-  wire [18:0] \chain_i$311[2] ;
-  wire [18:0] \chain_i$311[3] ;
-  wire [75:0] \chain_i$319 ;
-  wire [18:0] \chain_i$319[0] ;
-  wire [18:0] \chain_i$319[1] ;
-  wire [18:0] \chain_i$319[2] ;
-  wire [18:0] \chain_i$319[3] ;
-  wire [75:0] \chain_i$327 ;
-  wire [18:0] \chain_i$327[0] ;
-  wire [18:0] \chain_i$327[1] ;
-  wire [18:0] \chain_i$327[2] ;
-  wire [18:0] \chain_i$327[3] ;
-  wire [75:0] \chain_i$335 ;
-  wire [18:0] \chain_i$335[0] ;
-  wire [18:0] \chain_i$335[1] ;
-  wire [18:0] \chain_i$335[2] ;
-  wire [18:0] \chain_i$335[3] ;
-  wire [75:0] \chain_i$343 ;
-  wire [18:0] \chain_i$343[0] ;
-  wire [18:0] \chain_i$343[1] ;
-  wire [18:0] \chain_i$343[2] ;
-  wire [18:0] \chain_i$343[3] ;
-  wire [75:0] \chain_i$351 ;
-  wire [18:0] \chain_i$351[0] ;
-  wire [18:0] \chain_i$351[1] ;
-  wire [18:0] \chain_i$351[2] ;
-  wire [18:0] \chain_i$351[3] ;
-  wire [75:0] \chain_i$359 ;
-  wire [18:0] \chain_i$359[0] ;
-  wire [18:0] \chain_i$359[1] ;
-  wire [18:0] \chain_i$359[2] ;
-  wire [18:0] \chain_i$359[3] ;
-  wire [75:0] \chain_i$367 ;
-  wire [18:0] \chain_i$367[0] ;
-  wire [18:0] \chain_i$367[1] ;
-  wire [18:0] \chain_i$367[2] ;
-  wire [18:0] \chain_i$367[3] ;
-  wire [75:0] \chain_i$375 ;
-  wire [18:0] \chain_i$375[0] ;
-  wire [18:0] \chain_i$375[1] ;
-  wire [18:0] \chain_i$375[2] ;
-  wire [18:0] \chain_i$375[3] ;
-  wire [75:0] \chain_i$383 ;
-  wire [18:0] \chain_i$383[0] ;
-  wire [18:0] \chain_i$383[1] ;
-  wire [18:0] \chain_i$383[2] ;
-  wire [18:0] \chain_i$383[3] ;
-  wire [75:0] \chain_i$391 ;
-  wire [18:0] \chain_i$391[0] ;
-  wire [18:0] \chain_i$391[1] ;
-  wire [18:0] \chain_i$391[2] ;
-  wire [18:0] \chain_i$391[3] ;
-  wire [75:0] \chain_i$399 ;
-  wire [18:0] \chain_i$399[0] ;
-  wire [18:0] \chain_i$399[1] ;
-  wire [18:0] \chain_i$399[2] ;
-  wire [18:0] \chain_i$399[3] ;
-  wire [75:0] \chain_i$407 ;
-  wire [18:0] \chain_i$407[0] ;
-  wire [18:0] \chain_i$407[1] ;
-  wire [18:0] \chain_i$407[2] ;
-  wire [18:0] \chain_i$407[3] ;
-  wire [75:0] \chain_i$415 ;
-  wire [18:0] \chain_i$415[0] ;
-  wire [18:0] \chain_i$415[1] ;
-  wire [18:0] \chain_i$415[2] ;
-  wire [18:0] \chain_i$415[3] ;
-  wire [75:0] \chain_i$423 ;
-  wire [18:0] \chain_i$423[0] ;
-  wire [18:0] \chain_i$423[1] ;
-  wire [18:0] \chain_i$423[2] ;
-  wire [18:0] \chain_i$423[3] ;
-  wire [75:0] \chain_i$431 ;
-  wire [18:0] \chain_i$431[0] ;
-  wire [18:0] \chain_i$431[1] ;
-  wire [18:0] \chain_i$431[2] ;
-  wire [18:0] \chain_i$431[3] ;
-  wire [75:0] \chain_i$439 ;
-  wire [18:0] \chain_i$439[0] ;
-  wire [18:0] \chain_i$439[1] ;
-  wire [18:0] \chain_i$439[2] ;
-  wire [18:0] \chain_i$439[3] ;
-  wire [75:0] \chain_i$447 ;
-  wire [18:0] \chain_i$447[0] ;
-  wire [18:0] \chain_i$447[1] ;
-  wire [18:0] \chain_i$447[2] ;
-  wire [18:0] \chain_i$447[3] ;
-  wire [75:0] \chain_i$455 ;
-  wire [18:0] \chain_i$455[0] ;
-  wire [18:0] \chain_i$455[1] ;
-  wire [18:0] \chain_i$455[2] ;
-  wire [18:0] \chain_i$455[3] ;
-  wire [75:0] \chain_i$463 ;
-  wire [18:0] \chain_i$463[0] ;
-  wire [18:0] \chain_i$463[1] ;
-  wire [18:0] \chain_i$463[2] ;
-  wire [18:0] \chain_i$463[3] ;
-  wire [75:0] \chain_i$471 ;
-  wire [18:0] \chain_i$471[0] ;
-  wire [18:0] \chain_i$471[1] ;
-  wire [18:0] \chain_i$471[2] ;
-  wire [18:0] \chain_i$471[3] ;
-  wire [75:0] \chain_i$479 ;
-  wire [18:0] \chain_i$479[0] ;
-  wire [18:0] \chain_i$479[1] ;
-  wire [18:0] \chain_i$479[2] ;
-  wire [18:0] \chain_i$479[3] ;
-  wire [75:0] \chain_i$487 ;
-  wire [18:0] \chain_i$487[0] ;
-  wire [18:0] \chain_i$487[1] ;
-  wire [18:0] \chain_i$487[2] ;
-  wire [18:0] \chain_i$487[3] ;
-  wire [75:0] \chain_i$495 ;
-  wire [18:0] \chain_i$495[0] ;
-  wire [18:0] \chain_i$495[1] ;
-  wire [18:0] \chain_i$495[2] ;
-  wire [18:0] \chain_i$495[3] ;
-  wire [75:0] \chain_i$503 ;
-  wire [18:0] \chain_i$503[0] ;
-  wire [18:0] \chain_i$503[1] ;
-  wire [18:0] \chain_i$503[2] ;
-  wire [18:0] \chain_i$503[3] ;
-  wire [75:0] \chain_i$511 ;
-  wire [18:0] \chain_i$511[0] ;
-  wire [18:0] \chain_i$511[1] ;
-  wire [18:0] \chain_i$511[2] ;
-  wire [18:0] \chain_i$511[3] ;
-  wire [75:0] \chain_i$519 ;
-  wire [18:0] \chain_i$519[0] ;
-  wire [18:0] \chain_i$519[1] ;
-  wire [18:0] \chain_i$519[2] ;
-  wire [18:0] \chain_i$519[3] ;
-  wire [75:0] \chain_i$527 ;
-  wire [18:0] \chain_i$527[0] ;
-  wire [18:0] \chain_i$527[1] ;
-  wire [18:0] \chain_i$527[2] ;
-  wire [18:0] \chain_i$527[3] ;
-  wire [75:0] \chain_i$535 ;
-  wire [18:0] \chain_i$535[0] ;
-  wire [18:0] \chain_i$535[1] ;
-  wire [18:0] \chain_i$535[2] ;
-  wire [18:0] \chain_i$535[3] ;
-  wire [75:0] \chain_i$543 ;
-  wire [18:0] \chain_i$543[0] ;
-  wire [18:0] \chain_i$543[1] ;
-  wire [18:0] \chain_i$543[2] ;
-  wire [18:0] \chain_i$543[3] ;
-  wire [75:0] \chain_i$551 ;
-  wire [18:0] \chain_i$551[0] ;
-  wire [18:0] \chain_i$551[1] ;
-  wire [18:0] \chain_i$551[2] ;
-  wire [18:0] \chain_i$551[3] ;
-  wire [75:0] \chain_i$559 ;
-  wire [18:0] \chain_i$559[0] ;
-  wire [18:0] \chain_i$559[1] ;
-  wire [18:0] \chain_i$559[2] ;
-  wire [18:0] \chain_i$559[3] ;
-  wire [75:0] \chain_i$567 ;
-  wire [18:0] \chain_i$567[0] ;
-  wire [18:0] \chain_i$567[1] ;
-  wire [18:0] \chain_i$567[2] ;
-  wire [18:0] \chain_i$567[3] ;
-  wire [75:0] \chain_i$575 ;
-  wire [18:0] \chain_i$575[0] ;
-  wire [18:0] \chain_i$575[1] ;
-  wire [18:0] \chain_i$575[2] ;
-  wire [18:0] \chain_i$575[3] ;
+  wire [75:0] \chain_i$110 ;
+  wire [18:0] \chain_i$110[0] ;
+  wire [18:0] \chain_i$110[1] ;
+  wire [18:0] \chain_i$110[2] ;
+  wire [18:0] \chain_i$110[3] ;
+  wire [75:0] \chain_i$119 ;
+  wire [18:0] \chain_i$119[0] ;
+  wire [18:0] \chain_i$119[1] ;
+  wire [18:0] \chain_i$119[2] ;
+  wire [18:0] \chain_i$119[3] ;
+  wire [75:0] \chain_i$128 ;
+  wire [18:0] \chain_i$128[0] ;
+  wire [18:0] \chain_i$128[1] ;
+  wire [18:0] \chain_i$128[2] ;
+  wire [18:0] \chain_i$128[3] ;
+  wire [75:0] \chain_i$136 ;
+  wire [18:0] \chain_i$136[0] ;
+  wire [18:0] \chain_i$136[1] ;
+  wire [18:0] \chain_i$136[2] ;
+  wire [18:0] \chain_i$136[3] ;
+  wire [75:0] \chain_i$144 ;
+  wire [18:0] \chain_i$144[0] ;
+  wire [18:0] \chain_i$144[1] ;
+  wire [18:0] \chain_i$144[2] ;
+  wire [18:0] \chain_i$144[3] ;
+  wire [75:0] \chain_i$152 ;
+  wire [18:0] \chain_i$152[0] ;
+  wire [18:0] \chain_i$152[1] ;
+  wire [18:0] \chain_i$152[2] ;
+  wire [18:0] \chain_i$152[3] ;
+  wire [75:0] \chain_i$160 ;
+  wire [18:0] \chain_i$160[0] ;
+  wire [18:0] \chain_i$160[1] ;
+  wire [18:0] \chain_i$160[2] ;
+  wire [18:0] \chain_i$160[3] ;
+  wire [75:0] \chain_i$168 ;
+  wire [18:0] \chain_i$168[0] ;
+  wire [18:0] \chain_i$168[1] ;
+  wire [18:0] \chain_i$168[2] ;
+  wire [18:0] \chain_i$168[3] ;
+  wire [75:0] \chain_i$176 ;
+  wire [18:0] \chain_i$176[0] ;
+  wire [18:0] \chain_i$176[1] ;
+  wire [18:0] \chain_i$176[2] ;
+  wire [18:0] \chain_i$176[3] ;
+  wire [75:0] \chain_i$184 ;
+  wire [18:0] \chain_i$184[0] ;
+  wire [18:0] \chain_i$184[1] ;
+  wire [18:0] \chain_i$184[2] ;
+  wire [18:0] \chain_i$184[3] ;
+  wire [75:0] \chain_i$192 ;
+  wire [18:0] \chain_i$192[0] ;
+  wire [18:0] \chain_i$192[1] ;
+  wire [18:0] \chain_i$192[2] ;
+  wire [18:0] \chain_i$192[3] ;
+  wire [75:0] \chain_i$200 ;
+  wire [18:0] \chain_i$200[0] ;
+  wire [18:0] \chain_i$200[1] ;
+  wire [18:0] \chain_i$200[2] ;
+  wire [18:0] \chain_i$200[3] ;
+  wire [75:0] \chain_i$208 ;
+  wire [18:0] \chain_i$208[0] ;
+  wire [18:0] \chain_i$208[1] ;
+  wire [18:0] \chain_i$208[2] ;
+  wire [18:0] \chain_i$208[3] ;
+  wire [75:0] \chain_i$216 ;
+  wire [18:0] \chain_i$216[0] ;
+  wire [18:0] \chain_i$216[1] ;
+  wire [18:0] \chain_i$216[2] ;
+  wire [18:0] \chain_i$216[3] ;
+  wire [75:0] \chain_i$224 ;
+  wire [18:0] \chain_i$224[0] ;
+  wire [18:0] \chain_i$224[1] ;
+  wire [18:0] \chain_i$224[2] ;
+  wire [18:0] \chain_i$224[3] ;
+  wire [75:0] \chain_i$232 ;
+  wire [18:0] \chain_i$232[0] ;
+  wire [18:0] \chain_i$232[1] ;
+  wire [18:0] \chain_i$232[2] ;
+  wire [18:0] \chain_i$232[3] ;
+  wire [75:0] \chain_i$240 ;
+  wire [18:0] \chain_i$240[0] ;
+  wire [18:0] \chain_i$240[1] ;
+  wire [18:0] \chain_i$240[2] ;
+  wire [18:0] \chain_i$240[3] ;
+  wire [75:0] \chain_i$248 ;
+  wire [18:0] \chain_i$248[0] ;
+  wire [18:0] \chain_i$248[1] ;
+  wire [18:0] \chain_i$248[2] ;
+  wire [18:0] \chain_i$248[3] ;
+  wire [75:0] \chain_i$256 ;
+  wire [18:0] \chain_i$256[0] ;
+  wire [18:0] \chain_i$256[1] ;
+  wire [18:0] \chain_i$256[2] ;
+  wire [18:0] \chain_i$256[3] ;
+  wire [75:0] \chain_i$264 ;
+  wire [18:0] \chain_i$264[0] ;
+  wire [18:0] \chain_i$264[1] ;
+  wire [18:0] \chain_i$264[2] ;
+  wire [18:0] \chain_i$264[3] ;
+  wire [75:0] \chain_i$272 ;
+  wire [18:0] \chain_i$272[0] ;
+  wire [18:0] \chain_i$272[1] ;
+  wire [18:0] \chain_i$272[2] ;
+  wire [18:0] \chain_i$272[3] ;
+  wire [75:0] \chain_i$280 ;
+  wire [18:0] \chain_i$280[0] ;
+  wire [18:0] \chain_i$280[1] ;
+  wire [18:0] \chain_i$280[2] ;
+  wire [18:0] \chain_i$280[3] ;
+  wire [75:0] \chain_i$288 ;
+  wire [18:0] \chain_i$288[0] ;
+  wire [18:0] \chain_i$288[1] ;
+  wire [18:0] \chain_i$288[2] ;
+  wire [18:0] \chain_i$288[3] ;
+  wire [75:0] \chain_i$296 ;
+  wire [18:0] \chain_i$296[0] ;
+  wire [18:0] \chain_i$296[1] ;
+  wire [18:0] \chain_i$296[2] ;
+  wire [18:0] \chain_i$296[3] ;
+  wire [75:0] \chain_i$304 ;
+  wire [18:0] \chain_i$304[0] ;
+  wire [18:0] \chain_i$304[1] ;
+  wire [18:0] \chain_i$304[2] ;
+  wire [18:0] \chain_i$304[3] ;
+  wire [75:0] \chain_i$312 ;
+  wire [18:0] \chain_i$312[0] ;
+  wire [18:0] \chain_i$312[1] ;
+  wire [18:0] \chain_i$312[2] ;
+  wire [18:0] \chain_i$312[3] ;
+  wire [75:0] \chain_i$320 ;
+  wire [18:0] \chain_i$320[0] ;
+  wire [18:0] \chain_i$320[1] ;
+  wire [18:0] \chain_i$320[2] ;
+  wire [18:0] \chain_i$320[3] ;
+  wire [75:0] \chain_i$328 ;
+  wire [18:0] \chain_i$328[0] ;
+  wire [18:0] \chain_i$328[1] ;
+  wire [18:0] \chain_i$328[2] ;
+  wire [18:0] \chain_i$328[3] ;
+  wire [75:0] \chain_i$336 ;
+  wire [18:0] \chain_i$336[0] ;
+  wire [18:0] \chain_i$336[1] ;
+  wire [18:0] \chain_i$336[2] ;
+  wire [18:0] \chain_i$336[3] ;
+  wire [75:0] \chain_i$344 ;
+  wire [18:0] \chain_i$344[0] ;
+  wire [18:0] \chain_i$344[1] ;
+  wire [18:0] \chain_i$344[2] ;
+  wire [18:0] \chain_i$344[3] ;
+  wire [75:0] \chain_i$352 ;
+  wire [18:0] \chain_i$352[0] ;
+  wire [18:0] \chain_i$352[1] ;
+  wire [18:0] \chain_i$352[2] ;
+  wire [18:0] \chain_i$352[3] ;
+  wire [75:0] \chain_i$360 ;
+  wire [18:0] \chain_i$360[0] ;
+  wire [18:0] \chain_i$360[1] ;
+  wire [18:0] \chain_i$360[2] ;
+  wire [18:0] \chain_i$360[3] ;
+  wire [75:0] \chain_i$368 ;
+  wire [18:0] \chain_i$368[0] ;
+  wire [18:0] \chain_i$368[1] ;
+  wire [18:0] \chain_i$368[2] ;
+  wire [18:0] \chain_i$368[3] ;
+  wire [75:0] \chain_i$376 ;
+  wire [18:0] \chain_i$376[0] ;
+  wire [18:0] \chain_i$376[1] ;
+  wire [18:0] \chain_i$376[2] ;
+  wire [18:0] \chain_i$376[3] ;
+  wire [75:0] \chain_i$384 ;
+  wire [18:0] \chain_i$384[0] ;
+  wire [18:0] \chain_i$384[1] ;
+  wire [18:0] \chain_i$384[2] ;
+  wire [18:0] \chain_i$384[3] ;
+  wire [75:0] \chain_i$392 ;
+  wire [18:0] \chain_i$392[0] ;
+  wire [18:0] \chain_i$392[1] ;
+  wire [18:0] \chain_i$392[2] ;
+  wire [18:0] \chain_i$392[3] ;
+  wire [75:0] \chain_i$400 ;
+  wire [18:0] \chain_i$400[0] ;
+  wire [18:0] \chain_i$400[1] ;
+  wire [18:0] \chain_i$400[2] ;
+  wire [18:0] \chain_i$400[3] ;
+  wire [75:0] \chain_i$408 ;
+  wire [18:0] \chain_i$408[0] ;
+  wire [18:0] \chain_i$408[1] ;
+  wire [18:0] \chain_i$408[2] ;
+  wire [18:0] \chain_i$408[3] ;
+  wire [75:0] \chain_i$416 ;
+  wire [18:0] \chain_i$416[0] ;
+  wire [18:0] \chain_i$416[1] ;
+  wire [18:0] \chain_i$416[2] ;
+  wire [18:0] \chain_i$416[3] ;
+  wire [75:0] \chain_i$424 ;
+  wire [18:0] \chain_i$424[0] ;
+  wire [18:0] \chain_i$424[1] ;
+  wire [18:0] \chain_i$424[2] ;
+  wire [18:0] \chain_i$424[3] ;
+  wire [75:0] \chain_i$432 ;
+  wire [18:0] \chain_i$432[0] ;
+  wire [18:0] \chain_i$432[1] ;
+  wire [18:0] \chain_i$432[2] ;
+  wire [18:0] \chain_i$432[3] ;
+  wire [75:0] \chain_i$440 ;
+  wire [18:0] \chain_i$440[0] ;
+  wire [18:0] \chain_i$440[1] ;
+  wire [18:0] \chain_i$440[2] ;
+  wire [18:0] \chain_i$440[3] ;
+  wire [75:0] \chain_i$448 ;
+  wire [18:0] \chain_i$448[0] ;
+  wire [18:0] \chain_i$448[1] ;
+  wire [18:0] \chain_i$448[2] ;
+  wire [18:0] \chain_i$448[3] ;
+  wire [75:0] \chain_i$456 ;
+  wire [18:0] \chain_i$456[0] ;
+  wire [18:0] \chain_i$456[1] ;
+  wire [18:0] \chain_i$456[2] ;
+  wire [18:0] \chain_i$456[3] ;
+  wire [75:0] \chain_i$464 ;
+  wire [18:0] \chain_i$464[0] ;
+  wire [18:0] \chain_i$464[1] ;
+  wire [18:0] \chain_i$464[2] ;
+  wire [18:0] \chain_i$464[3] ;
+  wire [75:0] \chain_i$472 ;
+  wire [18:0] \chain_i$472[0] ;
+  wire [18:0] \chain_i$472[1] ;
+  wire [18:0] \chain_i$472[2] ;
+  wire [18:0] \chain_i$472[3] ;
+  wire [75:0] \chain_i$480 ;
+  wire [18:0] \chain_i$480[0] ;
+  wire [18:0] \chain_i$480[1] ;
+  wire [18:0] \chain_i$480[2] ;
+  wire [18:0] \chain_i$480[3] ;
+  wire [75:0] \chain_i$488 ;
+  wire [18:0] \chain_i$488[0] ;
+  wire [18:0] \chain_i$488[1] ;
+  wire [18:0] \chain_i$488[2] ;
+  wire [18:0] \chain_i$488[3] ;
+  wire [75:0] \chain_i$496 ;
+  wire [18:0] \chain_i$496[0] ;
+  wire [18:0] \chain_i$496[1] ;
+  wire [18:0] \chain_i$496[2] ;
+  wire [18:0] \chain_i$496[3] ;
+  wire [75:0] \chain_i$504 ;
+  wire [18:0] \chain_i$504[0] ;
+  wire [18:0] \chain_i$504[1] ;
+  wire [18:0] \chain_i$504[2] ;
+  wire [18:0] \chain_i$504[3] ;
+  wire [75:0] \chain_i$512 ;
+  wire [18:0] \chain_i$512[0] ;
+  wire [18:0] \chain_i$512[1] ;
+  wire [18:0] \chain_i$512[2] ;
+  wire [18:0] \chain_i$512[3] ;
+  wire [75:0] \chain_i$520 ;
+  wire [18:0] \chain_i$520[0] ;
+  wire [18:0] \chain_i$520[1] ;
+  wire [18:0] \chain_i$520[2] ;
+  wire [18:0] \chain_i$520[3] ;
+  wire [75:0] \chain_i$528 ;
+  wire [18:0] \chain_i$528[0] ;
+  wire [18:0] \chain_i$528[1] ;
+  wire [18:0] \chain_i$528[2] ;
+  wire [18:0] \chain_i$528[3] ;
+  wire [75:0] \chain_i$536 ;
+  wire [18:0] \chain_i$536[0] ;
+  wire [18:0] \chain_i$536[1] ;
+  wire [18:0] \chain_i$536[2] ;
+  wire [18:0] \chain_i$536[3] ;
+  wire [75:0] \chain_i$544 ;
+  wire [18:0] \chain_i$544[0] ;
+  wire [18:0] \chain_i$544[1] ;
+  wire [18:0] \chain_i$544[2] ;
+  wire [18:0] \chain_i$544[3] ;
+  wire [75:0] \chain_i$552 ;
+  wire [18:0] \chain_i$552[0] ;
+  wire [18:0] \chain_i$552[1] ;
+  wire [18:0] \chain_i$552[2] ;
+  wire [18:0] \chain_i$552[3] ;
+  wire [75:0] \chain_i$560 ;
+  wire [18:0] \chain_i$560[0] ;
+  wire [18:0] \chain_i$560[1] ;
+  wire [18:0] \chain_i$560[2] ;
+  wire [18:0] \chain_i$560[3] ;
+  wire [75:0] \chain_i$568 ;
+  wire [18:0] \chain_i$568[0] ;
+  wire [18:0] \chain_i$568[1] ;
+  wire [18:0] \chain_i$568[2] ;
+  wire [18:0] \chain_i$568[3] ;
+  wire [75:0] \chain_i$576 ;
+  wire [18:0] \chain_i$576[0] ;
+  wire [18:0] \chain_i$576[1] ;
+  wire [18:0] \chain_i$576[2] ;
+  wire [18:0] \chain_i$576[3] ;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
   wire [18:0] \chain_i[2] ;
   wire [18:0] \chain_i[3] ;
   wire [75:0] chain_o;
-  wire [75:0] \chain_o$101 ;
-  wire [18:0] \chain_o$101[0] ;
-  wire [18:0] \chain_o$101[1] ;
-  wire [18:0] \chain_o$101[2] ;
-  wire [18:0] \chain_o$101[3] ;
-  wire [75:0] \chain_o$108 ;
-  wire [18:0] \chain_o$108[0] ;
-  wire [18:0] \chain_o$108[1] ;
-  wire [18:0] \chain_o$108[2] ;
-  wire [18:0] \chain_o$108[3] ;
-  wire [75:0] \chain_o$110 ;
-  wire [18:0] \chain_o$110[0] ;
-  wire [18:0] \chain_o$110[1] ;
-  wire [18:0] \chain_o$110[2] ;
-  wire [18:0] \chain_o$110[3] ;
-  wire [75:0] \chain_o$117 ;
-  wire [18:0] \chain_o$117[0] ;
-  wire [18:0] \chain_o$117[1] ;
-  wire [18:0] \chain_o$117[2] ;
-  wire [18:0] \chain_o$117[3] ;
-  wire [75:0] \chain_o$119 ;
-  wire [18:0] \chain_o$119[0] ;
-  wire [18:0] \chain_o$119[1] ;
-  wire [18:0] \chain_o$119[2] ;
-  wire [18:0] \chain_o$119[3] ;
-  wire [75:0] \chain_o$126 ;
-  wire [18:0] \chain_o$126[0] ;
-  wire [18:0] \chain_o$126[1] ;
-  wire [18:0] \chain_o$126[2] ;
-  wire [18:0] \chain_o$126[3] ;
-  wire [75:0] \chain_o$128 ;
-  wire [18:0] \chain_o$128[0] ;
-  wire [18:0] \chain_o$128[1] ;
-  wire [18:0] \chain_o$128[2] ;
-  wire [18:0] \chain_o$128[3] ;
-  wire [75:0] \chain_o$136 ;
-  wire [18:0] \chain_o$136[0] ;
-  wire [18:0] \chain_o$136[1] ;
-  wire [18:0] \chain_o$136[2] ;
-  wire [18:0] \chain_o$136[3] ;
-  wire [75:0] \chain_o$144 ;
-  wire [18:0] \chain_o$144[0] ;
-  wire [18:0] \chain_o$144[1] ;
-  wire [18:0] \chain_o$144[2] ;
-  wire [18:0] \chain_o$144[3] ;
-  wire [75:0] \chain_o$152 ;
-  wire [18:0] \chain_o$152[0] ;
-  wire [18:0] \chain_o$152[1] ;
-  wire [18:0] \chain_o$152[2] ;
-  wire [18:0] \chain_o$152[3] ;
-  wire [75:0] \chain_o$160 ;
-  wire [18:0] \chain_o$160[0] ;
-  wire [18:0] \chain_o$160[1] ;
-  wire [18:0] \chain_o$160[2] ;
-  wire [18:0] \chain_o$160[3] ;
-  wire [75:0] \chain_o$168 ;
-  wire [18:0] \chain_o$168[0] ;
-  wire [18:0] \chain_o$168[1] ;
-  wire [18:0] \chain_o$168[2] ;
-  wire [18:0] \chain_o$168[3] ;
-  wire [75:0] \chain_o$176 ;
-  wire [18:0] \chain_o$176[0] ;
-  wire [18:0] \chain_o$176[1] ;
-  wire [18:0] \chain_o$176[2] ;
-  wire [18:0] \chain_o$176[3] ;
-  wire [75:0] \chain_o$184 ;
-  wire [18:0] \chain_o$184[0] ;
-  wire [18:0] \chain_o$184[1] ;
-  wire [18:0] \chain_o$184[2] ;
-  wire [18:0] \chain_o$184[3] ;
-  wire [75:0] \chain_o$192 ;
-  wire [18:0] \chain_o$192[0] ;
-  wire [18:0] \chain_o$192[1] ;
-  wire [18:0] \chain_o$192[2] ;
-  wire [18:0] \chain_o$192[3] ;
-  wire [75:0] \chain_o$200 ;
-  wire [18:0] \chain_o$200[0] ;
-  wire [18:0] \chain_o$200[1] ;
-  wire [18:0] \chain_o$200[2] ;
-  wire [18:0] \chain_o$200[3] ;
-  wire [75:0] \chain_o$208 ;
-  wire [18:0] \chain_o$208[0] ;
-  wire [18:0] \chain_o$208[1] ;
-  wire [18:0] \chain_o$208[2] ;
-  wire [18:0] \chain_o$208[3] ;
-  wire [75:0] \chain_o$216 ;
-  wire [18:0] \chain_o$216[0] ;
-  wire [18:0] \chain_o$216[1] ;
-  wire [18:0] \chain_o$216[2] ;
-  wire [18:0] \chain_o$216[3] ;
-  wire [75:0] \chain_o$224 ;
-  wire [18:0] \chain_o$224[0] ;
-  wire [18:0] \chain_o$224[1] ;
-  wire [18:0] \chain_o$224[2] ;
-  wire [18:0] \chain_o$224[3] ;
-  wire [75:0] \chain_o$232 ;
-  wire [18:0] \chain_o$232[0] ;
-  wire [18:0] \chain_o$232[1] ;
-  wire [18:0] \chain_o$232[2] ;
-  wire [18:0] \chain_o$232[3] ;
-  wire [75:0] \chain_o$240 ;
-  wire [18:0] \chain_o$240[0] ;
-  wire [18:0] \chain_o$240[1] ;
-  wire [18:0] \chain_o$240[2] ;
-  wire [18:0] \chain_o$240[3] ;
-  wire [75:0] \chain_o$248 ;
-  wire [18:0] \chain_o$248[0] ;
-  wire [18:0] \chain_o$248[1] ;
-  wire [18:0] \chain_o$248[2] ;
-  wire [18:0] \chain_o$248[3] ;
-  wire [75:0] \chain_o$256 ;
-  wire [18:0] \chain_o$256[0] ;
-  wire [18:0] \chain_o$256[1] ;
-  wire [18:0] \chain_o$256[2] ;
-  wire [18:0] \chain_o$256[3] ;
-  wire [75:0] \chain_o$264 ;
-  wire [18:0] \chain_o$264[0] ;
-  wire [18:0] \chain_o$264[1] ;
-  wire [18:0] \chain_o$264[2] ;
-  wire [18:0] \chain_o$264[3] ;
-  wire [75:0] \chain_o$272 ;
-  wire [18:0] \chain_o$272[0] ;
-  wire [18:0] \chain_o$272[1] ;
-  wire [18:0] \chain_o$272[2] ;
-  wire [18:0] \chain_o$272[3] ;
-  wire [75:0] \chain_o$280 ;
-  wire [18:0] \chain_o$280[0] ;
-  wire [18:0] \chain_o$280[1] ;
-  wire [18:0] \chain_o$280[2] ;
-  wire [18:0] \chain_o$280[3] ;
-  wire [75:0] \chain_o$288 ;
-  wire [18:0] \chain_o$288[0] ;
-  wire [18:0] \chain_o$288[1] ;
-  wire [18:0] \chain_o$288[2] ;
-  wire [18:0] \chain_o$288[3] ;
-  wire [75:0] \chain_o$296 ;
-  wire [18:0] \chain_o$296[0] ;
-  wire [18:0] \chain_o$296[1] ;
-  wire [18:0] \chain_o$296[2] ;
-  wire [18:0] \chain_o$296[3] ;
-  wire [75:0] \chain_o$304 ;
-  wire [18:0] \chain_o$304[0] ;
-  wire [18:0] \chain_o$304[1] ;
-  wire [18:0] \chain_o$304[2] ;
-  wire [18:0] \chain_o$304[3] ;
-  wire [75:0] \chain_o$312 ;
-  wire [18:0] \chain_o$312[0] ;
-  wire [18:0] \chain_o$312[1] ;
-  wire [18:0] \chain_o$312[2] ;
-  wire [18:0] \chain_o$312[3] ;
-  wire [75:0] \chain_o$320 ;
-  wire [18:0] \chain_o$320[0] ;
-  wire [18:0] \chain_o$320[1] ;
-  wire [18:0] \chain_o$320[2] ;
-  wire [18:0] \chain_o$320[3] ;
-  wire [75:0] \chain_o$328 ;
-  wire [18:0] \chain_o$328[0] ;
-  wire [18:0] \chain_o$328[1] ;
-  wire [18:0] \chain_o$328[2] ;
-  wire [18:0] \chain_o$328[3] ;
-  wire [75:0] \chain_o$336 ;
-  wire [18:0] \chain_o$336[0] ;
-  wire [18:0] \chain_o$336[1] ;
-  wire [18:0] \chain_o$336[2] ;
-  wire [18:0] \chain_o$336[3] ;
-  wire [75:0] \chain_o$344 ;
-  wire [18:0] \chain_o$344[0] ;
-  wire [18:0] \chain_o$344[1] ;
-  wire [18:0] \chain_o$344[2] ;
-  wire [18:0] \chain_o$344[3] ;
-  wire [75:0] \chain_o$352 ;
-  wire [18:0] \chain_o$352[0] ;
-  wire [18:0] \chain_o$352[1] ;
-  wire [18:0] \chain_o$352[2] ;
-  wire [18:0] \chain_o$352[3] ;
-  wire [75:0] \chain_o$360 ;
-  wire [18:0] \chain_o$360[0] ;
-  wire [18:0] \chain_o$360[1] ;
-  wire [18:0] \chain_o$360[2] ;
-  wire [18:0] \chain_o$360[3] ;
-  wire [75:0] \chain_o$368 ;
-  wire [18:0] \chain_o$368[0] ;
-  wire [18:0] \chain_o$368[1] ;
-  wire [18:0] \chain_o$368[2] ;
-  wire [18:0] \chain_o$368[3] ;
-  wire [75:0] \chain_o$376 ;
-  wire [18:0] \chain_o$376[0] ;
-  wire [18:0] \chain_o$376[1] ;
-  wire [18:0] \chain_o$376[2] ;
-  wire [18:0] \chain_o$376[3] ;
-  wire [75:0] \chain_o$384 ;
-  wire [18:0] \chain_o$384[0] ;
-  wire [18:0] \chain_o$384[1] ;
-  wire [18:0] \chain_o$384[2] ;
-  wire [18:0] \chain_o$384[3] ;
-  wire [75:0] \chain_o$392 ;
-  wire [18:0] \chain_o$392[0] ;
-  wire [18:0] \chain_o$392[1] ;
-  wire [18:0] \chain_o$392[2] ;
-  wire [18:0] \chain_o$392[3] ;
-  wire [75:0] \chain_o$400 ;
-  wire [18:0] \chain_o$400[0] ;
-  wire [18:0] \chain_o$400[1] ;
-  wire [18:0] \chain_o$400[2] ;
-  wire [18:0] \chain_o$400[3] ;
-  wire [75:0] \chain_o$408 ;
-  wire [18:0] \chain_o$408[0] ;
-  wire [18:0] \chain_o$408[1] ;
-  wire [18:0] \chain_o$408[2] ;
-  wire [18:0] \chain_o$408[3] ;
-  wire [75:0] \chain_o$416 ;
-  wire [18:0] \chain_o$416[0] ;
-  wire [18:0] \chain_o$416[1] ;
-  wire [18:0] \chain_o$416[2] ;
-  wire [18:0] \chain_o$416[3] ;
-  wire [75:0] \chain_o$424 ;
-  wire [18:0] \chain_o$424[0] ;
-  wire [18:0] \chain_o$424[1] ;
-  wire [18:0] \chain_o$424[2] ;
-  wire [18:0] \chain_o$424[3] ;
-  wire [75:0] \chain_o$432 ;
-  wire [18:0] \chain_o$432[0] ;
-  wire [18:0] \chain_o$432[1] ;
-  wire [18:0] \chain_o$432[2] ;
-  wire [18:0] \chain_o$432[3] ;
-  wire [75:0] \chain_o$440 ;
-  wire [18:0] \chain_o$440[0] ;
-  wire [18:0] \chain_o$440[1] ;
-  wire [18:0] \chain_o$440[2] ;
-  wire [18:0] \chain_o$440[3] ;
-  wire [75:0] \chain_o$448 ;
-  wire [18:0] \chain_o$448[0] ;
-  wire [18:0] \chain_o$448[1] ;
-  wire [18:0] \chain_o$448[2] ;
-  wire [18:0] \chain_o$448[3] ;
-  wire [75:0] \chain_o$456 ;
-  wire [18:0] \chain_o$456[0] ;
-  wire [18:0] \chain_o$456[1] ;
-  wire [18:0] \chain_o$456[2] ;
-  wire [18:0] \chain_o$456[3] ;
-  wire [75:0] \chain_o$464 ;
-  wire [18:0] \chain_o$464[0] ;
-  wire [18:0] \chain_o$464[1] ;
-  wire [18:0] \chain_o$464[2] ;
-  wire [18:0] \chain_o$464[3] ;
-  wire [75:0] \chain_o$472 ;
-  wire [18:0] \chain_o$472[0] ;
-  wire [18:0] \chain_o$472[1] ;
-  wire [18:0] \chain_o$472[2] ;
-  wire [18:0] \chain_o$472[3] ;
-  wire [75:0] \chain_o$480 ;
-  wire [18:0] \chain_o$480[0] ;
-  wire [18:0] \chain_o$480[1] ;
-  wire [18:0] \chain_o$480[2] ;
-  wire [18:0] \chain_o$480[3] ;
-  wire [75:0] \chain_o$488 ;
-  wire [18:0] \chain_o$488[0] ;
-  wire [18:0] \chain_o$488[1] ;
-  wire [18:0] \chain_o$488[2] ;
-  wire [18:0] \chain_o$488[3] ;
-  wire [75:0] \chain_o$496 ;
-  wire [18:0] \chain_o$496[0] ;
-  wire [18:0] \chain_o$496[1] ;
-  wire [18:0] \chain_o$496[2] ;
-  wire [18:0] \chain_o$496[3] ;
-  wire [75:0] \chain_o$504 ;
-  wire [18:0] \chain_o$504[0] ;
-  wire [18:0] \chain_o$504[1] ;
-  wire [18:0] \chain_o$504[2] ;
-  wire [18:0] \chain_o$504[3] ;
-  wire [75:0] \chain_o$512 ;
-  wire [18:0] \chain_o$512[0] ;
-  wire [18:0] \chain_o$512[1] ;
-  wire [18:0] \chain_o$512[2] ;
-  wire [18:0] \chain_o$512[3] ;
-  wire [75:0] \chain_o$520 ;
-  wire [18:0] \chain_o$520[0] ;
-  wire [18:0] \chain_o$520[1] ;
-  wire [18:0] \chain_o$520[2] ;
-  wire [18:0] \chain_o$520[3] ;
-  wire [75:0] \chain_o$528 ;
-  wire [18:0] \chain_o$528[0] ;
-  wire [18:0] \chain_o$528[1] ;
-  wire [18:0] \chain_o$528[2] ;
-  wire [18:0] \chain_o$528[3] ;
-  wire [75:0] \chain_o$536 ;
-  wire [18:0] \chain_o$536[0] ;
-  wire [18:0] \chain_o$536[1] ;
-  wire [18:0] \chain_o$536[2] ;
-  wire [18:0] \chain_o$536[3] ;
-  wire [75:0] \chain_o$544 ;
-  wire [18:0] \chain_o$544[0] ;
-  wire [18:0] \chain_o$544[1] ;
-  wire [18:0] \chain_o$544[2] ;
-  wire [18:0] \chain_o$544[3] ;
-  wire [75:0] \chain_o$552 ;
-  wire [18:0] \chain_o$552[0] ;
-  wire [18:0] \chain_o$552[1] ;
-  wire [18:0] \chain_o$552[2] ;
-  wire [18:0] \chain_o$552[3] ;
-  wire [75:0] \chain_o$560 ;
-  wire [18:0] \chain_o$560[0] ;
-  wire [18:0] \chain_o$560[1] ;
-  wire [18:0] \chain_o$560[2] ;
-  wire [18:0] \chain_o$560[3] ;
-  wire [75:0] \chain_o$568 ;
-  wire [18:0] \chain_o$568[0] ;
-  wire [18:0] \chain_o$568[1] ;
-  wire [18:0] \chain_o$568[2] ;
-  wire [18:0] \chain_o$568[3] ;
-  wire [75:0] \chain_o$576 ;
-  wire [18:0] \chain_o$576[0] ;
-  wire [18:0] \chain_o$576[1] ;
-  wire [18:0] \chain_o$576[2] ;
-  wire [18:0] \chain_o$576[3] ;
+  wire [75:0] \chain_o$102 ;
+  wire [18:0] \chain_o$102[0] ;
+  wire [18:0] \chain_o$102[1] ;
+  wire [18:0] \chain_o$102[2] ;
+  wire [18:0] \chain_o$102[3] ;
+  wire [75:0] \chain_o$109 ;
+  wire [18:0] \chain_o$109[0] ;
+  wire [18:0] \chain_o$109[1] ;
+  wire [18:0] \chain_o$109[2] ;
+  wire [18:0] \chain_o$109[3] ;
+  wire [75:0] \chain_o$111 ;
+  wire [18:0] \chain_o$111[0] ;
+  wire [18:0] \chain_o$111[1] ;
+  wire [18:0] \chain_o$111[2] ;
+  wire [18:0] \chain_o$111[3] ;
+  wire [75:0] \chain_o$118 ;
+  wire [18:0] \chain_o$118[0] ;
+  wire [18:0] \chain_o$118[1] ;
+  wire [18:0] \chain_o$118[2] ;
+  wire [18:0] \chain_o$118[3] ;
+  wire [75:0] \chain_o$120 ;
+  wire [18:0] \chain_o$120[0] ;
+  wire [18:0] \chain_o$120[1] ;
+  wire [18:0] \chain_o$120[2] ;
+  wire [18:0] \chain_o$120[3] ;
+  wire [75:0] \chain_o$127 ;
+  wire [18:0] \chain_o$127[0] ;
+  wire [18:0] \chain_o$127[1] ;
+  wire [18:0] \chain_o$127[2] ;
+  wire [18:0] \chain_o$127[3] ;
+  wire [75:0] \chain_o$129 ;
+  wire [18:0] \chain_o$129[0] ;
+  wire [18:0] \chain_o$129[1] ;
+  wire [18:0] \chain_o$129[2] ;
+  wire [18:0] \chain_o$129[3] ;
+  wire [75:0] \chain_o$137 ;
+  wire [18:0] \chain_o$137[0] ;
+  wire [18:0] \chain_o$137[1] ;
+  wire [18:0] \chain_o$137[2] ;
+  wire [18:0] \chain_o$137[3] ;
+  wire [75:0] \chain_o$145 ;
+  wire [18:0] \chain_o$145[0] ;
+  wire [18:0] \chain_o$145[1] ;
+  wire [18:0] \chain_o$145[2] ;
+  wire [18:0] \chain_o$145[3] ;
+  wire [75:0] \chain_o$153 ;
+  wire [18:0] \chain_o$153[0] ;
+  wire [18:0] \chain_o$153[1] ;
+  wire [18:0] \chain_o$153[2] ;
+  wire [18:0] \chain_o$153[3] ;
+  wire [75:0] \chain_o$161 ;
+  wire [18:0] \chain_o$161[0] ;
+  wire [18:0] \chain_o$161[1] ;
+  wire [18:0] \chain_o$161[2] ;
+  wire [18:0] \chain_o$161[3] ;
+  wire [75:0] \chain_o$169 ;
+  wire [18:0] \chain_o$169[0] ;
+  wire [18:0] \chain_o$169[1] ;
+  wire [18:0] \chain_o$169[2] ;
+  wire [18:0] \chain_o$169[3] ;
+  wire [75:0] \chain_o$177 ;
+  wire [18:0] \chain_o$177[0] ;
+  wire [18:0] \chain_o$177[1] ;
+  wire [18:0] \chain_o$177[2] ;
+  wire [18:0] \chain_o$177[3] ;
+  wire [75:0] \chain_o$185 ;
+  wire [18:0] \chain_o$185[0] ;
+  wire [18:0] \chain_o$185[1] ;
+  wire [18:0] \chain_o$185[2] ;
+  wire [18:0] \chain_o$185[3] ;
+  wire [75:0] \chain_o$193 ;
+  wire [18:0] \chain_o$193[0] ;
+  wire [18:0] \chain_o$193[1] ;
+  wire [18:0] \chain_o$193[2] ;
+  wire [18:0] \chain_o$193[3] ;
+  wire [75:0] \chain_o$201 ;
+  wire [18:0] \chain_o$201[0] ;
+  wire [18:0] \chain_o$201[1] ;
+  wire [18:0] \chain_o$201[2] ;
+  wire [18:0] \chain_o$201[3] ;
+  wire [75:0] \chain_o$209 ;
+  wire [18:0] \chain_o$209[0] ;
+  wire [18:0] \chain_o$209[1] ;
+  wire [18:0] \chain_o$209[2] ;
+  wire [18:0] \chain_o$209[3] ;
+  wire [75:0] \chain_o$217 ;
+  wire [18:0] \chain_o$217[0] ;
+  wire [18:0] \chain_o$217[1] ;
+  wire [18:0] \chain_o$217[2] ;
+  wire [18:0] \chain_o$217[3] ;
+  wire [75:0] \chain_o$225 ;
+  wire [18:0] \chain_o$225[0] ;
+  wire [18:0] \chain_o$225[1] ;
+  wire [18:0] \chain_o$225[2] ;
+  wire [18:0] \chain_o$225[3] ;
+  wire [75:0] \chain_o$233 ;
+  wire [18:0] \chain_o$233[0] ;
+  wire [18:0] \chain_o$233[1] ;
+  wire [18:0] \chain_o$233[2] ;
+  wire [18:0] \chain_o$233[3] ;
+  wire [75:0] \chain_o$241 ;
+  wire [18:0] \chain_o$241[0] ;
+  wire [18:0] \chain_o$241[1] ;
+  wire [18:0] \chain_o$241[2] ;
+  wire [18:0] \chain_o$241[3] ;
+  wire [75:0] \chain_o$249 ;
+  wire [18:0] \chain_o$249[0] ;
+  wire [18:0] \chain_o$249[1] ;
+  wire [18:0] \chain_o$249[2] ;
+  wire [18:0] \chain_o$249[3] ;
+  wire [75:0] \chain_o$257 ;
+  wire [18:0] \chain_o$257[0] ;
+  wire [18:0] \chain_o$257[1] ;
+  wire [18:0] \chain_o$257[2] ;
+  wire [18:0] \chain_o$257[3] ;
+  wire [75:0] \chain_o$265 ;
+  wire [18:0] \chain_o$265[0] ;
+  wire [18:0] \chain_o$265[1] ;
+  wire [18:0] \chain_o$265[2] ;
+  wire [18:0] \chain_o$265[3] ;
+  wire [75:0] \chain_o$273 ;
+  wire [18:0] \chain_o$273[0] ;
+  wire [18:0] \chain_o$273[1] ;
+  wire [18:0] \chain_o$273[2] ;
+  wire [18:0] \chain_o$273[3] ;
+  wire [75:0] \chain_o$281 ;
+  wire [18:0] \chain_o$281[0] ;
+  wire [18:0] \chain_o$281[1] ;
+  wire [18:0] \chain_o$281[2] ;
+  wire [18:0] \chain_o$281[3] ;
+  wire [75:0] \chain_o$289 ;
+  wire [18:0] \chain_o$289[0] ;
+  wire [18:0] \chain_o$289[1] ;
+  wire [18:0] \chain_o$289[2] ;
+  wire [18:0] \chain_o$289[3] ;
+  wire [75:0] \chain_o$297 ;
+  wire [18:0] \chain_o$297[0] ;
+  wire [18:0] \chain_o$297[1] ;
+  wire [18:0] \chain_o$297[2] ;
+  wire [18:0] \chain_o$297[3] ;
+  wire [75:0] \chain_o$305 ;
+  wire [18:0] \chain_o$305[0] ;
+  wire [18:0] \chain_o$305[1] ;
+  wire [18:0] \chain_o$305[2] ;
+  wire [18:0] \chain_o$305[3] ;
+  wire [75:0] \chain_o$313 ;
+  wire [18:0] \chain_o$313[0] ;
+  wire [18:0] \chain_o$313[1] ;
+  wire [18:0] \chain_o$313[2] ;
+  wire [18:0] \chain_o$313[3] ;
+  wire [75:0] \chain_o$321 ;
+  wire [18:0] \chain_o$321[0] ;
+  wire [18:0] \chain_o$321[1] ;
+  wire [18:0] \chain_o$321[2] ;
+  wire [18:0] \chain_o$321[3] ;
+  wire [75:0] \chain_o$329 ;
+  wire [18:0] \chain_o$329[0] ;
+  wire [18:0] \chain_o$329[1] ;
+  wire [18:0] \chain_o$329[2] ;
+  wire [18:0] \chain_o$329[3] ;
+  wire [75:0] \chain_o$337 ;
+  wire [18:0] \chain_o$337[0] ;
+  wire [18:0] \chain_o$337[1] ;
+  wire [18:0] \chain_o$337[2] ;
+  wire [18:0] \chain_o$337[3] ;
+  wire [75:0] \chain_o$345 ;
+  wire [18:0] \chain_o$345[0] ;
+  wire [18:0] \chain_o$345[1] ;
+  wire [18:0] \chain_o$345[2] ;
+  wire [18:0] \chain_o$345[3] ;
+  wire [75:0] \chain_o$353 ;
+  wire [18:0] \chain_o$353[0] ;
+  wire [18:0] \chain_o$353[1] ;
+  wire [18:0] \chain_o$353[2] ;
+  wire [18:0] \chain_o$353[3] ;
+  wire [75:0] \chain_o$361 ;
+  wire [18:0] \chain_o$361[0] ;
+  wire [18:0] \chain_o$361[1] ;
+  wire [18:0] \chain_o$361[2] ;
+  wire [18:0] \chain_o$361[3] ;
+  wire [75:0] \chain_o$369 ;
+  wire [18:0] \chain_o$369[0] ;
+  wire [18:0] \chain_o$369[1] ;
+  wire [18:0] \chain_o$369[2] ;
+  wire [18:0] \chain_o$369[3] ;
+  wire [75:0] \chain_o$377 ;
+  wire [18:0] \chain_o$377[0] ;
+  wire [18:0] \chain_o$377[1] ;
+  wire [18:0] \chain_o$377[2] ;
+  wire [18:0] \chain_o$377[3] ;
+  wire [75:0] \chain_o$385 ;
+  wire [18:0] \chain_o$385[0] ;
+  wire [18:0] \chain_o$385[1] ;
+  wire [18:0] \chain_o$385[2] ;
+  wire [18:0] \chain_o$385[3] ;
+  wire [75:0] \chain_o$393 ;
+  wire [18:0] \chain_o$393[0] ;
+  wire [18:0] \chain_o$393[1] ;
+  wire [18:0] \chain_o$393[2] ;
+  wire [18:0] \chain_o$393[3] ;
+  wire [75:0] \chain_o$401 ;
+  wire [18:0] \chain_o$401[0] ;
+  wire [18:0] \chain_o$401[1] ;
+  wire [18:0] \chain_o$401[2] ;
+  wire [18:0] \chain_o$401[3] ;
+  wire [75:0] \chain_o$409 ;
+  wire [18:0] \chain_o$409[0] ;
+  wire [18:0] \chain_o$409[1] ;
+  wire [18:0] \chain_o$409[2] ;
+  wire [18:0] \chain_o$409[3] ;
+  wire [75:0] \chain_o$417 ;
+  wire [18:0] \chain_o$417[0] ;
+  wire [18:0] \chain_o$417[1] ;
+  wire [18:0] \chain_o$417[2] ;
+  wire [18:0] \chain_o$417[3] ;
+  wire [75:0] \chain_o$425 ;
+  wire [18:0] \chain_o$425[0] ;
+  wire [18:0] \chain_o$425[1] ;
+  wire [18:0] \chain_o$425[2] ;
+  wire [18:0] \chain_o$425[3] ;
+  wire [75:0] \chain_o$433 ;
+  wire [18:0] \chain_o$433[0] ;
+  wire [18:0] \chain_o$433[1] ;
+  wire [18:0] \chain_o$433[2] ;
+  wire [18:0] \chain_o$433[3] ;
+  wire [75:0] \chain_o$441 ;
+  wire [18:0] \chain_o$441[0] ;
+  wire [18:0] \chain_o$441[1] ;
+  wire [18:0] \chain_o$441[2] ;
+  wire [18:0] \chain_o$441[3] ;
+  wire [75:0] \chain_o$449 ;
+  wire [18:0] \chain_o$449[0] ;
+  wire [18:0] \chain_o$449[1] ;
+  wire [18:0] \chain_o$449[2] ;
+  wire [18:0] \chain_o$449[3] ;
+  wire [75:0] \chain_o$457 ;
+  wire [18:0] \chain_o$457[0] ;
+  wire [18:0] \chain_o$457[1] ;
+  wire [18:0] \chain_o$457[2] ;
+  wire [18:0] \chain_o$457[3] ;
+  wire [75:0] \chain_o$465 ;
+  wire [18:0] \chain_o$465[0] ;
+  wire [18:0] \chain_o$465[1] ;
+  wire [18:0] \chain_o$465[2] ;
+  wire [18:0] \chain_o$465[3] ;
+  wire [75:0] \chain_o$473 ;
+  wire [18:0] \chain_o$473[0] ;
+  wire [18:0] \chain_o$473[1] ;
+  wire [18:0] \chain_o$473[2] ;
+  wire [18:0] \chain_o$473[3] ;
+  wire [75:0] \chain_o$481 ;
+  wire [18:0] \chain_o$481[0] ;
+  wire [18:0] \chain_o$481[1] ;
+  wire [18:0] \chain_o$481[2] ;
+  wire [18:0] \chain_o$481[3] ;
+  wire [75:0] \chain_o$489 ;
+  wire [18:0] \chain_o$489[0] ;
+  wire [18:0] \chain_o$489[1] ;
+  wire [18:0] \chain_o$489[2] ;
+  wire [18:0] \chain_o$489[3] ;
+  wire [75:0] \chain_o$497 ;
+  wire [18:0] \chain_o$497[0] ;
+  wire [18:0] \chain_o$497[1] ;
+  wire [18:0] \chain_o$497[2] ;
+  wire [18:0] \chain_o$497[3] ;
+  wire [75:0] \chain_o$505 ;
+  wire [18:0] \chain_o$505[0] ;
+  wire [18:0] \chain_o$505[1] ;
+  wire [18:0] \chain_o$505[2] ;
+  wire [18:0] \chain_o$505[3] ;
+  wire [75:0] \chain_o$513 ;
+  wire [18:0] \chain_o$513[0] ;
+  wire [18:0] \chain_o$513[1] ;
+  wire [18:0] \chain_o$513[2] ;
+  wire [18:0] \chain_o$513[3] ;
+  wire [75:0] \chain_o$521 ;
+  wire [18:0] \chain_o$521[0] ;
+  wire [18:0] \chain_o$521[1] ;
+  wire [18:0] \chain_o$521[2] ;
+  wire [18:0] \chain_o$521[3] ;
+  wire [75:0] \chain_o$529 ;
+  wire [18:0] \chain_o$529[0] ;
+  wire [18:0] \chain_o$529[1] ;
+  wire [18:0] \chain_o$529[2] ;
+  wire [18:0] \chain_o$529[3] ;
+  wire [75:0] \chain_o$537 ;
+  wire [18:0] \chain_o$537[0] ;
+  wire [18:0] \chain_o$537[1] ;
+  wire [18:0] \chain_o$537[2] ;
+  wire [18:0] \chain_o$537[3] ;
+  wire [75:0] \chain_o$545 ;
+  wire [18:0] \chain_o$545[0] ;
+  wire [18:0] \chain_o$545[1] ;
+  wire [18:0] \chain_o$545[2] ;
+  wire [18:0] \chain_o$545[3] ;
+  wire [75:0] \chain_o$553 ;
+  wire [18:0] \chain_o$553[0] ;
+  wire [18:0] \chain_o$553[1] ;
+  wire [18:0] \chain_o$553[2] ;
+  wire [18:0] \chain_o$553[3] ;
+  wire [75:0] \chain_o$561 ;
+  wire [18:0] \chain_o$561[0] ;
+  wire [18:0] \chain_o$561[1] ;
+  wire [18:0] \chain_o$561[2] ;
+  wire [18:0] \chain_o$561[3] ;
+  wire [75:0] \chain_o$569 ;
+  wire [18:0] \chain_o$569[0] ;
+  wire [18:0] \chain_o$569[1] ;
+  wire [18:0] \chain_o$569[2] ;
+  wire [18:0] \chain_o$569[3] ;
+  wire [75:0] \chain_o$577 ;
+  wire [18:0] \chain_o$577[0] ;
+  wire [18:0] \chain_o$577[1] ;
+  wire [18:0] \chain_o$577[2] ;
+  wire [18:0] \chain_o$577[3] ;
   wire [18:0] \chain_o[0] ;
   wire [18:0] \chain_o[1] ;
   wire [18:0] \chain_o[2] ;
@@ -1123,449 +1123,448 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   input clk;
   wire clk;
   wire [2:0] command;
-  (* init = 8'h00 *)
-  wire [7:0] control;
-  (* init = 8'h00 *)
-  wire [7:0] \control$106 ;
-  wire \control$106.edge ;
-  wire \control$106.en ;
-  wire \control$106.first ;
-  wire \control$106.last ;
-  wire [3:0] \control$106.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$115 ;
-  wire \control$115.edge ;
-  wire \control$115.en ;
-  wire \control$115.first ;
-  wire \control$115.last ;
-  wire [3:0] \control$115.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$124 ;
-  wire \control$124.edge ;
-  wire \control$124.en ;
-  wire \control$124.first ;
-  wire \control$124.last ;
-  wire [3:0] \control$124.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$133 ;
-  wire \control$133.edge ;
-  wire \control$133.en ;
-  wire \control$133.first ;
-  wire \control$133.last ;
-  wire [3:0] \control$133.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$141 ;
-  wire \control$141.edge ;
-  wire \control$141.en ;
-  wire \control$141.first ;
-  wire \control$141.last ;
-  wire [3:0] \control$141.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$149 ;
-  wire \control$149.edge ;
-  wire \control$149.en ;
-  wire \control$149.first ;
-  wire \control$149.last ;
-  wire [3:0] \control$149.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$157 ;
-  wire \control$157.edge ;
-  wire \control$157.en ;
-  wire \control$157.first ;
-  wire \control$157.last ;
-  wire [3:0] \control$157.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$165 ;
-  wire \control$165.edge ;
-  wire \control$165.en ;
-  wire \control$165.first ;
-  wire \control$165.last ;
-  wire [3:0] \control$165.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$173 ;
-  wire \control$173.edge ;
-  wire \control$173.en ;
-  wire \control$173.first ;
-  wire \control$173.last ;
-  wire [3:0] \control$173.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$181 ;
-  wire \control$181.edge ;
-  wire \control$181.en ;
-  wire \control$181.first ;
-  wire \control$181.last ;
-  wire [3:0] \control$181.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$189 ;
-  wire \control$189.edge ;
-  wire \control$189.en ;
-  wire \control$189.first ;
-  wire \control$189.last ;
-  wire [3:0] \control$189.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$197 ;
-  wire \control$197.edge ;
-  wire \control$197.en ;
-  wire \control$197.first ;
-  wire \control$197.last ;
-  wire [3:0] \control$197.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$205 ;
-  wire \control$205.edge ;
-  wire \control$205.en ;
-  wire \control$205.first ;
-  wire \control$205.last ;
-  wire [3:0] \control$205.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$213 ;
-  wire \control$213.edge ;
-  wire \control$213.en ;
-  wire \control$213.first ;
-  wire \control$213.last ;
-  wire [3:0] \control$213.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$221 ;
-  wire \control$221.edge ;
-  wire \control$221.en ;
-  wire \control$221.first ;
-  wire \control$221.last ;
-  wire [3:0] \control$221.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$229 ;
-  wire \control$229.edge ;
-  wire \control$229.en ;
-  wire \control$229.first ;
-  wire \control$229.last ;
-  wire [3:0] \control$229.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$237 ;
-  wire \control$237.edge ;
-  wire \control$237.en ;
-  wire \control$237.first ;
-  wire \control$237.last ;
-  wire [3:0] \control$237.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$245 ;
-  wire \control$245.edge ;
-  wire \control$245.en ;
-  wire \control$245.first ;
-  wire \control$245.last ;
-  wire [3:0] \control$245.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$253 ;
-  wire \control$253.edge ;
-  wire \control$253.en ;
-  wire \control$253.first ;
-  wire \control$253.last ;
-  wire [3:0] \control$253.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$261 ;
-  wire \control$261.edge ;
-  wire \control$261.en ;
-  wire \control$261.first ;
-  wire \control$261.last ;
-  wire [3:0] \control$261.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$269 ;
-  wire \control$269.edge ;
-  wire \control$269.en ;
-  wire \control$269.first ;
-  wire \control$269.last ;
-  wire [3:0] \control$269.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$277 ;
-  wire \control$277.edge ;
-  wire \control$277.en ;
-  wire \control$277.first ;
-  wire \control$277.last ;
-  wire [3:0] \control$277.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$285 ;
-  wire \control$285.edge ;
-  wire \control$285.en ;
-  wire \control$285.first ;
-  wire \control$285.last ;
-  wire [3:0] \control$285.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$293 ;
-  wire \control$293.edge ;
-  wire \control$293.en ;
-  wire \control$293.first ;
-  wire \control$293.last ;
-  wire [3:0] \control$293.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$301 ;
-  wire \control$301.edge ;
-  wire \control$301.en ;
-  wire \control$301.first ;
-  wire \control$301.last ;
-  wire [3:0] \control$301.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$309 ;
-  wire \control$309.edge ;
-  wire \control$309.en ;
-  wire \control$309.first ;
-  wire \control$309.last ;
-  wire [3:0] \control$309.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$317 ;
-  wire \control$317.edge ;
-  wire \control$317.en ;
-  wire \control$317.first ;
-  wire \control$317.last ;
-  wire [3:0] \control$317.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$325 ;
-  wire \control$325.edge ;
-  wire \control$325.en ;
-  wire \control$325.first ;
-  wire \control$325.last ;
-  wire [3:0] \control$325.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$333 ;
-  wire \control$333.edge ;
-  wire \control$333.en ;
-  wire \control$333.first ;
-  wire \control$333.last ;
-  wire [3:0] \control$333.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$341 ;
-  wire \control$341.edge ;
-  wire \control$341.en ;
-  wire \control$341.first ;
-  wire \control$341.last ;
-  wire [3:0] \control$341.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$349 ;
-  wire \control$349.edge ;
-  wire \control$349.en ;
-  wire \control$349.first ;
-  wire \control$349.last ;
-  wire [3:0] \control$349.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$357 ;
-  wire \control$357.edge ;
-  wire \control$357.en ;
-  wire \control$357.first ;
-  wire \control$357.last ;
-  wire [3:0] \control$357.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$365 ;
-  wire \control$365.edge ;
-  wire \control$365.en ;
-  wire \control$365.first ;
-  wire \control$365.last ;
-  wire [3:0] \control$365.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$373 ;
-  wire \control$373.edge ;
-  wire \control$373.en ;
-  wire \control$373.first ;
-  wire \control$373.last ;
-  wire [3:0] \control$373.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$381 ;
-  wire \control$381.edge ;
-  wire \control$381.en ;
-  wire \control$381.first ;
-  wire \control$381.last ;
-  wire [3:0] \control$381.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$389 ;
-  wire \control$389.edge ;
-  wire \control$389.en ;
-  wire \control$389.first ;
-  wire \control$389.last ;
-  wire [3:0] \control$389.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$397 ;
-  wire \control$397.edge ;
-  wire \control$397.en ;
-  wire \control$397.first ;
-  wire \control$397.last ;
-  wire [3:0] \control$397.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$405 ;
-  wire \control$405.edge ;
-  wire \control$405.en ;
-  wire \control$405.first ;
-  wire \control$405.last ;
-  wire [3:0] \control$405.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$413 ;
-  wire \control$413.edge ;
-  wire \control$413.en ;
-  wire \control$413.first ;
-  wire \control$413.last ;
-  wire [3:0] \control$413.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$421 ;
-  wire \control$421.edge ;
-  wire \control$421.en ;
-  wire \control$421.first ;
-  wire \control$421.last ;
-  wire [3:0] \control$421.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$429 ;
-  wire \control$429.edge ;
-  wire \control$429.en ;
-  wire \control$429.first ;
-  wire \control$429.last ;
-  wire [3:0] \control$429.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$437 ;
-  wire \control$437.edge ;
-  wire \control$437.en ;
-  wire \control$437.first ;
-  wire \control$437.last ;
-  wire [3:0] \control$437.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$445 ;
-  wire \control$445.edge ;
-  wire \control$445.en ;
-  wire \control$445.first ;
-  wire \control$445.last ;
-  wire [3:0] \control$445.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$453 ;
-  wire \control$453.edge ;
-  wire \control$453.en ;
-  wire \control$453.first ;
-  wire \control$453.last ;
-  wire [3:0] \control$453.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$461 ;
-  wire \control$461.edge ;
-  wire \control$461.en ;
-  wire \control$461.first ;
-  wire \control$461.last ;
-  wire [3:0] \control$461.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$469 ;
-  wire \control$469.edge ;
-  wire \control$469.en ;
-  wire \control$469.first ;
-  wire \control$469.last ;
-  wire [3:0] \control$469.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$477 ;
-  wire \control$477.edge ;
-  wire \control$477.en ;
-  wire \control$477.first ;
-  wire \control$477.last ;
-  wire [3:0] \control$477.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$485 ;
-  wire \control$485.edge ;
-  wire \control$485.en ;
-  wire \control$485.first ;
-  wire \control$485.last ;
-  wire [3:0] \control$485.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$493 ;
-  wire \control$493.edge ;
-  wire \control$493.en ;
-  wire \control$493.first ;
-  wire \control$493.last ;
-  wire [3:0] \control$493.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$501 ;
-  wire \control$501.edge ;
-  wire \control$501.en ;
-  wire \control$501.first ;
-  wire \control$501.last ;
-  wire [3:0] \control$501.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$509 ;
-  wire \control$509.edge ;
-  wire \control$509.en ;
-  wire \control$509.first ;
-  wire \control$509.last ;
-  wire [3:0] \control$509.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$517 ;
-  wire \control$517.edge ;
-  wire \control$517.en ;
-  wire \control$517.first ;
-  wire \control$517.last ;
-  wire [3:0] \control$517.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$525 ;
-  wire \control$525.edge ;
-  wire \control$525.en ;
-  wire \control$525.first ;
-  wire \control$525.last ;
-  wire [3:0] \control$525.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$533 ;
-  wire \control$533.edge ;
-  wire \control$533.en ;
-  wire \control$533.first ;
-  wire \control$533.last ;
-  wire [3:0] \control$533.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$541 ;
-  wire \control$541.edge ;
-  wire \control$541.en ;
-  wire \control$541.first ;
-  wire \control$541.last ;
-  wire [3:0] \control$541.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$549 ;
-  wire \control$549.edge ;
-  wire \control$549.en ;
-  wire \control$549.first ;
-  wire \control$549.last ;
-  wire [3:0] \control$549.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$557 ;
-  wire \control$557.edge ;
-  wire \control$557.en ;
-  wire \control$557.first ;
-  wire \control$557.last ;
-  wire [3:0] \control$557.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$565 ;
-  wire \control$565.edge ;
-  wire \control$565.en ;
-  wire \control$565.first ;
-  wire \control$565.last ;
-  wire [3:0] \control$565.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$573 ;
-  wire \control$573.edge ;
-  wire \control$573.en ;
-  wire \control$573.first ;
-  wire \control$573.last ;
-  wire [3:0] \control$573.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$581 ;
-  wire \control$581.edge ;
-  wire \control$581.en ;
-  wire \control$581.first ;
-  wire \control$581.last ;
-  wire [3:0] \control$581.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$587 ;
-  wire \control$587.edge ;
-  wire \control$587.en ;
-  wire \control$587.first ;
-  wire \control$587.last ;
-  wire [3:0] \control$587.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$593 ;
-  wire \control$593.edge ;
-  wire \control$593.en ;
-  wire \control$593.first ;
-  wire \control$593.last ;
-  wire [3:0] \control$593.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$599 ;
-  wire \control$599.edge ;
-  wire \control$599.en ;
-  wire \control$599.first ;
-  wire \control$599.last ;
-  wire [3:0] \control$599.tile ;
+  reg [7:0] control = 8'h00;
+  (* init = 8'h00 *)
+  wire [7:0] \control$107 ;
+  wire \control$107.edge ;
+  wire \control$107.en ;
+  wire \control$107.first ;
+  wire \control$107.last ;
+  wire [3:0] \control$107.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$116 ;
+  wire \control$116.edge ;
+  wire \control$116.en ;
+  wire \control$116.first ;
+  wire \control$116.last ;
+  wire [3:0] \control$116.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$125 ;
+  wire \control$125.edge ;
+  wire \control$125.en ;
+  wire \control$125.first ;
+  wire \control$125.last ;
+  wire [3:0] \control$125.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$134 ;
+  wire \control$134.edge ;
+  wire \control$134.en ;
+  wire \control$134.first ;
+  wire \control$134.last ;
+  wire [3:0] \control$134.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$142 ;
+  wire \control$142.edge ;
+  wire \control$142.en ;
+  wire \control$142.first ;
+  wire \control$142.last ;
+  wire [3:0] \control$142.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$150 ;
+  wire \control$150.edge ;
+  wire \control$150.en ;
+  wire \control$150.first ;
+  wire \control$150.last ;
+  wire [3:0] \control$150.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$158 ;
+  wire \control$158.edge ;
+  wire \control$158.en ;
+  wire \control$158.first ;
+  wire \control$158.last ;
+  wire [3:0] \control$158.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$166 ;
+  wire \control$166.edge ;
+  wire \control$166.en ;
+  wire \control$166.first ;
+  wire \control$166.last ;
+  wire [3:0] \control$166.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$174 ;
+  wire \control$174.edge ;
+  wire \control$174.en ;
+  wire \control$174.first ;
+  wire \control$174.last ;
+  wire [3:0] \control$174.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$182 ;
+  wire \control$182.edge ;
+  wire \control$182.en ;
+  wire \control$182.first ;
+  wire \control$182.last ;
+  wire [3:0] \control$182.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$190 ;
+  wire \control$190.edge ;
+  wire \control$190.en ;
+  wire \control$190.first ;
+  wire \control$190.last ;
+  wire [3:0] \control$190.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$198 ;
+  wire \control$198.edge ;
+  wire \control$198.en ;
+  wire \control$198.first ;
+  wire \control$198.last ;
+  wire [3:0] \control$198.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$206 ;
+  wire \control$206.edge ;
+  wire \control$206.en ;
+  wire \control$206.first ;
+  wire \control$206.last ;
+  wire [3:0] \control$206.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$214 ;
+  wire \control$214.edge ;
+  wire \control$214.en ;
+  wire \control$214.first ;
+  wire \control$214.last ;
+  wire [3:0] \control$214.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$222 ;
+  wire \control$222.edge ;
+  wire \control$222.en ;
+  wire \control$222.first ;
+  wire \control$222.last ;
+  wire [3:0] \control$222.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$230 ;
+  wire \control$230.edge ;
+  wire \control$230.en ;
+  wire \control$230.first ;
+  wire \control$230.last ;
+  wire [3:0] \control$230.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$238 ;
+  wire \control$238.edge ;
+  wire \control$238.en ;
+  wire \control$238.first ;
+  wire \control$238.last ;
+  wire [3:0] \control$238.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$246 ;
+  wire \control$246.edge ;
+  wire \control$246.en ;
+  wire \control$246.first ;
+  wire \control$246.last ;
+  wire [3:0] \control$246.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$254 ;
+  wire \control$254.edge ;
+  wire \control$254.en ;
+  wire \control$254.first ;
+  wire \control$254.last ;
+  wire [3:0] \control$254.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$262 ;
+  wire \control$262.edge ;
+  wire \control$262.en ;
+  wire \control$262.first ;
+  wire \control$262.last ;
+  wire [3:0] \control$262.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$270 ;
+  wire \control$270.edge ;
+  wire \control$270.en ;
+  wire \control$270.first ;
+  wire \control$270.last ;
+  wire [3:0] \control$270.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$278 ;
+  wire \control$278.edge ;
+  wire \control$278.en ;
+  wire \control$278.first ;
+  wire \control$278.last ;
+  wire [3:0] \control$278.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$286 ;
+  wire \control$286.edge ;
+  wire \control$286.en ;
+  wire \control$286.first ;
+  wire \control$286.last ;
+  wire [3:0] \control$286.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$294 ;
+  wire \control$294.edge ;
+  wire \control$294.en ;
+  wire \control$294.first ;
+  wire \control$294.last ;
+  wire [3:0] \control$294.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$302 ;
+  wire \control$302.edge ;
+  wire \control$302.en ;
+  wire \control$302.first ;
+  wire \control$302.last ;
+  wire [3:0] \control$302.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$310 ;
+  wire \control$310.edge ;
+  wire \control$310.en ;
+  wire \control$310.first ;
+  wire \control$310.last ;
+  wire [3:0] \control$310.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$318 ;
+  wire \control$318.edge ;
+  wire \control$318.en ;
+  wire \control$318.first ;
+  wire \control$318.last ;
+  wire [3:0] \control$318.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$326 ;
+  wire \control$326.edge ;
+  wire \control$326.en ;
+  wire \control$326.first ;
+  wire \control$326.last ;
+  wire [3:0] \control$326.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$334 ;
+  wire \control$334.edge ;
+  wire \control$334.en ;
+  wire \control$334.first ;
+  wire \control$334.last ;
+  wire [3:0] \control$334.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$342 ;
+  wire \control$342.edge ;
+  wire \control$342.en ;
+  wire \control$342.first ;
+  wire \control$342.last ;
+  wire [3:0] \control$342.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$350 ;
+  wire \control$350.edge ;
+  wire \control$350.en ;
+  wire \control$350.first ;
+  wire \control$350.last ;
+  wire [3:0] \control$350.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$358 ;
+  wire \control$358.edge ;
+  wire \control$358.en ;
+  wire \control$358.first ;
+  wire \control$358.last ;
+  wire [3:0] \control$358.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$366 ;
+  wire \control$366.edge ;
+  wire \control$366.en ;
+  wire \control$366.first ;
+  wire \control$366.last ;
+  wire [3:0] \control$366.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$374 ;
+  wire \control$374.edge ;
+  wire \control$374.en ;
+  wire \control$374.first ;
+  wire \control$374.last ;
+  wire [3:0] \control$374.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$382 ;
+  wire \control$382.edge ;
+  wire \control$382.en ;
+  wire \control$382.first ;
+  wire \control$382.last ;
+  wire [3:0] \control$382.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$390 ;
+  wire \control$390.edge ;
+  wire \control$390.en ;
+  wire \control$390.first ;
+  wire \control$390.last ;
+  wire [3:0] \control$390.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$398 ;
+  wire \control$398.edge ;
+  wire \control$398.en ;
+  wire \control$398.first ;
+  wire \control$398.last ;
+  wire [3:0] \control$398.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$406 ;
+  wire \control$406.edge ;
+  wire \control$406.en ;
+  wire \control$406.first ;
+  wire \control$406.last ;
+  wire [3:0] \control$406.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$414 ;
+  wire \control$414.edge ;
+  wire \control$414.en ;
+  wire \control$414.first ;
+  wire \control$414.last ;
+  wire [3:0] \control$414.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$422 ;
+  wire \control$422.edge ;
+  wire \control$422.en ;
+  wire \control$422.first ;
+  wire \control$422.last ;
+  wire [3:0] \control$422.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$430 ;
+  wire \control$430.edge ;
+  wire \control$430.en ;
+  wire \control$430.first ;
+  wire \control$430.last ;
+  wire [3:0] \control$430.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$438 ;
+  wire \control$438.edge ;
+  wire \control$438.en ;
+  wire \control$438.first ;
+  wire \control$438.last ;
+  wire [3:0] \control$438.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$446 ;
+  wire \control$446.edge ;
+  wire \control$446.en ;
+  wire \control$446.first ;
+  wire \control$446.last ;
+  wire [3:0] \control$446.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$454 ;
+  wire \control$454.edge ;
+  wire \control$454.en ;
+  wire \control$454.first ;
+  wire \control$454.last ;
+  wire [3:0] \control$454.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$462 ;
+  wire \control$462.edge ;
+  wire \control$462.en ;
+  wire \control$462.first ;
+  wire \control$462.last ;
+  wire [3:0] \control$462.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$470 ;
+  wire \control$470.edge ;
+  wire \control$470.en ;
+  wire \control$470.first ;
+  wire \control$470.last ;
+  wire [3:0] \control$470.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$478 ;
+  wire \control$478.edge ;
+  wire \control$478.en ;
+  wire \control$478.first ;
+  wire \control$478.last ;
+  wire [3:0] \control$478.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$486 ;
+  wire \control$486.edge ;
+  wire \control$486.en ;
+  wire \control$486.first ;
+  wire \control$486.last ;
+  wire [3:0] \control$486.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$494 ;
+  wire \control$494.edge ;
+  wire \control$494.en ;
+  wire \control$494.first ;
+  wire \control$494.last ;
+  wire [3:0] \control$494.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$502 ;
+  wire \control$502.edge ;
+  wire \control$502.en ;
+  wire \control$502.first ;
+  wire \control$502.last ;
+  wire [3:0] \control$502.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$510 ;
+  wire \control$510.edge ;
+  wire \control$510.en ;
+  wire \control$510.first ;
+  wire \control$510.last ;
+  wire [3:0] \control$510.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$518 ;
+  wire \control$518.edge ;
+  wire \control$518.en ;
+  wire \control$518.first ;
+  wire \control$518.last ;
+  wire [3:0] \control$518.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$526 ;
+  wire \control$526.edge ;
+  wire \control$526.en ;
+  wire \control$526.first ;
+  wire \control$526.last ;
+  wire [3:0] \control$526.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$534 ;
+  wire \control$534.edge ;
+  wire \control$534.en ;
+  wire \control$534.first ;
+  wire \control$534.last ;
+  wire [3:0] \control$534.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$542 ;
+  wire \control$542.edge ;
+  wire \control$542.en ;
+  wire \control$542.first ;
+  wire \control$542.last ;
+  wire [3:0] \control$542.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$550 ;
+  wire \control$550.edge ;
+  wire \control$550.en ;
+  wire \control$550.first ;
+  wire \control$550.last ;
+  wire [3:0] \control$550.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$558 ;
+  wire \control$558.edge ;
+  wire \control$558.en ;
+  wire \control$558.first ;
+  wire \control$558.last ;
+  wire [3:0] \control$558.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$566 ;
+  wire \control$566.edge ;
+  wire \control$566.en ;
+  wire \control$566.first ;
+  wire \control$566.last ;
+  wire [3:0] \control$566.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$574 ;
+  wire \control$574.edge ;
+  wire \control$574.en ;
+  wire \control$574.first ;
+  wire \control$574.last ;
+  wire [3:0] \control$574.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$582 ;
+  wire \control$582.edge ;
+  wire \control$582.en ;
+  wire \control$582.first ;
+  wire \control$582.last ;
+  wire [3:0] \control$582.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$588 ;
+  wire \control$588.edge ;
+  wire \control$588.en ;
+  wire \control$588.first ;
+  wire \control$588.last ;
+  wire [3:0] \control$588.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$594 ;
+  wire \control$594.edge ;
+  wire \control$594.en ;
+  wire \control$594.first ;
+  wire \control$594.last ;
+  wire [3:0] \control$594.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$600 ;
+  wire \control$600.edge ;
+  wire \control$600.en ;
+  wire \control$600.first ;
+  wire \control$600.last ;
+  wire [3:0] \control$600.tile ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
@@ -1583,7 +1582,8 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire \control1.first ;
   wire \control1.last ;
   wire [3:0] \control1.tile ;
-  reg [7:0] control2 = 8'h00;
+  (* init = 8'h00 *)
+  wire [7:0] control2;
   wire \control2.edge ;
   wire \control2.en ;
   wire \control2.first ;
@@ -1619,16 +1619,8 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   (* enum_value_011 = "TLAST_EARLY" *)
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
-  output [2:0] \error$608 ;
-  reg [2:0] \error$608  = 3'h0;
-  (* enum_base_type = "Error" *)
-  (* enum_value_000 = "NONE" *)
-  (* enum_value_001 = "BAD_SHAPE" *)
-  (* enum_value_010 = "BAD_MODE" *)
-  (* enum_value_011 = "TLAST_EARLY" *)
-  (* enum_value_100 = "TLAST_MISSING" *)
-  (* enum_value_101 = "BAD_COMMAND" *)
-  wire [2:0] \error$612 ;
+  output [2:0] \error$609 ;
+  reg [2:0] \error$609  = 3'h0;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -1637,8 +1629,16 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
   wire [2:0] \error$613 ;
+  (* enum_base_type = "Error" *)
+  (* enum_value_000 = "NONE" *)
+  (* enum_value_001 = "BAD_SHAPE" *)
+  (* enum_value_010 = "BAD_MODE" *)
+  (* enum_value_011 = "TLAST_EARLY" *)
+  (* enum_value_100 = "TLAST_MISSING" *)
+  (* enum_value_101 = "BAD_COMMAND" *)
+  wire [2:0] \error$614 ;
   wire fault;
-  wire \fault$611 ;
+  wire \fault$612 ;
   output [31:0] fill_cycles;
   reg [31:0] fill_cycles = 32'd0;
   wire finished;
@@ -1853,70 +1853,70 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
   wire shift;
-  wire \shift$107 ;
-  wire \shift$116 ;
-  wire \shift$125 ;
-  wire \shift$134 ;
-  wire \shift$142 ;
-  wire \shift$150 ;
-  wire \shift$158 ;
-  wire \shift$166 ;
-  wire \shift$174 ;
-  wire \shift$182 ;
-  wire \shift$190 ;
-  wire \shift$198 ;
-  wire \shift$206 ;
-  wire \shift$214 ;
-  wire \shift$222 ;
-  wire \shift$230 ;
-  wire \shift$238 ;
-  wire \shift$246 ;
-  wire \shift$254 ;
-  wire \shift$262 ;
-  wire \shift$270 ;
-  wire \shift$278 ;
-  wire \shift$286 ;
-  wire \shift$294 ;
-  wire \shift$302 ;
-  wire \shift$310 ;
-  wire \shift$318 ;
-  wire \shift$326 ;
-  wire \shift$334 ;
-  wire \shift$342 ;
-  wire \shift$350 ;
-  wire \shift$358 ;
-  wire \shift$366 ;
-  wire \shift$374 ;
-  wire \shift$382 ;
-  wire \shift$390 ;
-  wire \shift$398 ;
-  wire \shift$406 ;
-  wire \shift$414 ;
-  wire \shift$422 ;
-  wire \shift$430 ;
-  wire \shift$438 ;
-  wire \shift$446 ;
-  wire \shift$454 ;
-  wire \shift$462 ;
-  wire \shift$470 ;
-  wire \shift$478 ;
-  wire \shift$486 ;
-  wire \shift$494 ;
-  wire \shift$502 ;
-  wire \shift$510 ;
-  wire \shift$518 ;
-  wire \shift$526 ;
-  wire \shift$534 ;
-  wire \shift$542 ;
-  wire \shift$550 ;
-  wire \shift$558 ;
-  wire \shift$566 ;
-  wire \shift$574 ;
-  wire \shift$582 ;
-  wire \shift$588 ;
-  wire \shift$594 ;
-  wire \shift$600 ;
-  wire \shift$97 ;
+  wire \shift$108 ;
+  wire \shift$117 ;
+  wire \shift$126 ;
+  wire \shift$135 ;
+  wire \shift$143 ;
+  wire \shift$151 ;
+  wire \shift$159 ;
+  wire \shift$167 ;
+  wire \shift$175 ;
+  wire \shift$183 ;
+  wire \shift$191 ;
+  wire \shift$199 ;
+  wire \shift$207 ;
+  wire \shift$215 ;
+  wire \shift$223 ;
+  wire \shift$231 ;
+  wire \shift$239 ;
+  wire \shift$247 ;
+  wire \shift$255 ;
+  wire \shift$263 ;
+  wire \shift$271 ;
+  wire \shift$279 ;
+  wire \shift$287 ;
+  wire \shift$295 ;
+  wire \shift$303 ;
+  wire \shift$311 ;
+  wire \shift$319 ;
+  wire \shift$327 ;
+  wire \shift$335 ;
+  wire \shift$343 ;
+  wire \shift$351 ;
+  wire \shift$359 ;
+  wire \shift$367 ;
+  wire \shift$375 ;
+  wire \shift$383 ;
+  wire \shift$391 ;
+  wire \shift$399 ;
+  wire \shift$407 ;
+  wire \shift$415 ;
+  wire \shift$423 ;
+  wire \shift$431 ;
+  wire \shift$439 ;
+  wire \shift$447 ;
+  wire \shift$455 ;
+  wire \shift$463 ;
+  wire \shift$471 ;
+  wire \shift$479 ;
+  wire \shift$487 ;
+  wire \shift$495 ;
+  wire \shift$503 ;
+  wire \shift$511 ;
+  wire \shift$519 ;
+  wire \shift$527 ;
+  wire \shift$535 ;
+  wire \shift$543 ;
+  wire \shift$551 ;
+  wire \shift$559 ;
+  wire \shift$567 ;
+  wire \shift$575 ;
+  wire \shift$583 ;
+  wire \shift$589 ;
+  wire \shift$595 ;
+  wire \shift$601 ;
+  wire \shift$98 ;
   wire soft_reset;
   wire start;
   wire \start$63 ;
@@ -1958,264 +1958,264 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire [31:0] \words$11 ;
   wire [15:0] words_per_pixel;
   wire [543:0] write;
-  wire [80:0] \write$104 ;
-  wire [8:0] \write$104.addr ;
-  wire [71:0] \write$104.data ;
-  wire [80:0] \write$113 ;
-  wire [8:0] \write$113.addr ;
-  wire [71:0] \write$113.data ;
-  wire [80:0] \write$122 ;
-  wire [8:0] \write$122.addr ;
-  wire [71:0] \write$122.data ;
-  wire [80:0] \write$131 ;
-  wire [8:0] \write$131.addr ;
-  wire [71:0] \write$131.data ;
-  wire [80:0] \write$139 ;
-  wire [8:0] \write$139.addr ;
-  wire [71:0] \write$139.data ;
-  wire [80:0] \write$147 ;
-  wire [8:0] \write$147.addr ;
-  wire [71:0] \write$147.data ;
-  wire [80:0] \write$155 ;
-  wire [8:0] \write$155.addr ;
-  wire [71:0] \write$155.data ;
-  wire [80:0] \write$163 ;
-  wire [8:0] \write$163.addr ;
-  wire [71:0] \write$163.data ;
-  wire [80:0] \write$171 ;
-  wire [8:0] \write$171.addr ;
-  wire [71:0] \write$171.data ;
-  wire [80:0] \write$179 ;
-  wire [8:0] \write$179.addr ;
-  wire [71:0] \write$179.data ;
-  wire [80:0] \write$187 ;
-  wire [8:0] \write$187.addr ;
-  wire [71:0] \write$187.data ;
-  wire [80:0] \write$195 ;
-  wire [8:0] \write$195.addr ;
-  wire [71:0] \write$195.data ;
-  wire [80:0] \write$203 ;
-  wire [8:0] \write$203.addr ;
-  wire [71:0] \write$203.data ;
-  wire [80:0] \write$211 ;
-  wire [8:0] \write$211.addr ;
-  wire [71:0] \write$211.data ;
-  wire [80:0] \write$219 ;
-  wire [8:0] \write$219.addr ;
-  wire [71:0] \write$219.data ;
-  wire [80:0] \write$227 ;
-  wire [8:0] \write$227.addr ;
-  wire [71:0] \write$227.data ;
-  wire [80:0] \write$235 ;
-  wire [8:0] \write$235.addr ;
-  wire [71:0] \write$235.data ;
-  wire [80:0] \write$243 ;
-  wire [8:0] \write$243.addr ;
-  wire [71:0] \write$243.data ;
-  wire [80:0] \write$251 ;
-  wire [8:0] \write$251.addr ;
-  wire [71:0] \write$251.data ;
-  wire [80:0] \write$259 ;
-  wire [8:0] \write$259.addr ;
-  wire [71:0] \write$259.data ;
-  wire [80:0] \write$267 ;
-  wire [8:0] \write$267.addr ;
-  wire [71:0] \write$267.data ;
-  wire [80:0] \write$275 ;
-  wire [8:0] \write$275.addr ;
-  wire [71:0] \write$275.data ;
-  wire [80:0] \write$283 ;
-  wire [8:0] \write$283.addr ;
-  wire [71:0] \write$283.data ;
-  wire [80:0] \write$291 ;
-  wire [8:0] \write$291.addr ;
-  wire [71:0] \write$291.data ;
-  wire [80:0] \write$299 ;
-  wire [8:0] \write$299.addr ;
-  wire [71:0] \write$299.data ;
-  wire [80:0] \write$307 ;
-  wire [8:0] \write$307.addr ;
-  wire [71:0] \write$307.data ;
-  wire [80:0] \write$315 ;
-  wire [8:0] \write$315.addr ;
-  wire [71:0] \write$315.data ;
-  wire [80:0] \write$323 ;
-  wire [8:0] \write$323.addr ;
-  wire [71:0] \write$323.data ;
-  wire [80:0] \write$331 ;
-  wire [8:0] \write$331.addr ;
-  wire [71:0] \write$331.data ;
-  wire [80:0] \write$339 ;
-  wire [8:0] \write$339.addr ;
-  wire [71:0] \write$339.data ;
-  wire [80:0] \write$347 ;
-  wire [8:0] \write$347.addr ;
-  wire [71:0] \write$347.data ;
-  wire [80:0] \write$355 ;
-  wire [8:0] \write$355.addr ;
-  wire [71:0] \write$355.data ;
-  wire [80:0] \write$363 ;
-  wire [8:0] \write$363.addr ;
-  wire [71:0] \write$363.data ;
-  wire [80:0] \write$371 ;
-  wire [8:0] \write$371.addr ;
-  wire [71:0] \write$371.data ;
-  wire [80:0] \write$379 ;
-  wire [8:0] \write$379.addr ;
-  wire [71:0] \write$379.data ;
-  wire [80:0] \write$387 ;
-  wire [8:0] \write$387.addr ;
-  wire [71:0] \write$387.data ;
-  wire [80:0] \write$395 ;
-  wire [8:0] \write$395.addr ;
-  wire [71:0] \write$395.data ;
-  wire [80:0] \write$403 ;
-  wire [8:0] \write$403.addr ;
-  wire [71:0] \write$403.data ;
-  wire [80:0] \write$411 ;
-  wire [8:0] \write$411.addr ;
-  wire [71:0] \write$411.data ;
-  wire [80:0] \write$419 ;
-  wire [8:0] \write$419.addr ;
-  wire [71:0] \write$419.data ;
-  wire [80:0] \write$427 ;
-  wire [8:0] \write$427.addr ;
-  wire [71:0] \write$427.data ;
-  wire [80:0] \write$435 ;
-  wire [8:0] \write$435.addr ;
-  wire [71:0] \write$435.data ;
-  wire [80:0] \write$443 ;
-  wire [8:0] \write$443.addr ;
-  wire [71:0] \write$443.data ;
-  wire [80:0] \write$451 ;
-  wire [8:0] \write$451.addr ;
-  wire [71:0] \write$451.data ;
-  wire [80:0] \write$459 ;
-  wire [8:0] \write$459.addr ;
-  wire [71:0] \write$459.data ;
-  wire [80:0] \write$467 ;
-  wire [8:0] \write$467.addr ;
-  wire [71:0] \write$467.data ;
-  wire [80:0] \write$475 ;
-  wire [8:0] \write$475.addr ;
-  wire [71:0] \write$475.data ;
-  wire [80:0] \write$483 ;
-  wire [8:0] \write$483.addr ;
-  wire [71:0] \write$483.data ;
-  wire [80:0] \write$491 ;
-  wire [8:0] \write$491.addr ;
-  wire [71:0] \write$491.data ;
-  wire [80:0] \write$499 ;
-  wire [8:0] \write$499.addr ;
-  wire [71:0] \write$499.data ;
-  wire [80:0] \write$507 ;
-  wire [8:0] \write$507.addr ;
-  wire [71:0] \write$507.data ;
-  wire [80:0] \write$515 ;
-  wire [8:0] \write$515.addr ;
-  wire [71:0] \write$515.data ;
-  wire [80:0] \write$523 ;
-  wire [8:0] \write$523.addr ;
-  wire [71:0] \write$523.data ;
-  wire [80:0] \write$531 ;
-  wire [8:0] \write$531.addr ;
-  wire [71:0] \write$531.data ;
-  wire [80:0] \write$539 ;
-  wire [8:0] \write$539.addr ;
-  wire [71:0] \write$539.data ;
-  wire [80:0] \write$547 ;
-  wire [8:0] \write$547.addr ;
-  wire [71:0] \write$547.data ;
-  wire [80:0] \write$555 ;
-  wire [8:0] \write$555.addr ;
-  wire [71:0] \write$555.data ;
-  wire [80:0] \write$563 ;
-  wire [8:0] \write$563.addr ;
-  wire [71:0] \write$563.data ;
-  wire [80:0] \write$571 ;
-  wire [8:0] \write$571.addr ;
-  wire [71:0] \write$571.data ;
-  wire [80:0] \write$579 ;
-  wire [8:0] \write$579.addr ;
-  wire [71:0] \write$579.data ;
-  wire [80:0] \write$585 ;
-  wire [8:0] \write$585.addr ;
-  wire [71:0] \write$585.data ;
-  wire [80:0] \write$591 ;
-  wire [8:0] \write$591.addr ;
-  wire [71:0] \write$591.data ;
-  wire [80:0] \write$597 ;
-  wire [8:0] \write$597.addr ;
-  wire [71:0] \write$597.data ;
+  wire [80:0] \write$105 ;
+  wire [8:0] \write$105.addr ;
+  wire [71:0] \write$105.data ;
+  wire [80:0] \write$114 ;
+  wire [8:0] \write$114.addr ;
+  wire [71:0] \write$114.data ;
+  wire [80:0] \write$123 ;
+  wire [8:0] \write$123.addr ;
+  wire [71:0] \write$123.data ;
+  wire [80:0] \write$132 ;
+  wire [8:0] \write$132.addr ;
+  wire [71:0] \write$132.data ;
+  wire [80:0] \write$140 ;
+  wire [8:0] \write$140.addr ;
+  wire [71:0] \write$140.data ;
+  wire [80:0] \write$148 ;
+  wire [8:0] \write$148.addr ;
+  wire [71:0] \write$148.data ;
+  wire [80:0] \write$156 ;
+  wire [8:0] \write$156.addr ;
+  wire [71:0] \write$156.data ;
+  wire [80:0] \write$164 ;
+  wire [8:0] \write$164.addr ;
+  wire [71:0] \write$164.data ;
+  wire [80:0] \write$172 ;
+  wire [8:0] \write$172.addr ;
+  wire [71:0] \write$172.data ;
+  wire [80:0] \write$180 ;
+  wire [8:0] \write$180.addr ;
+  wire [71:0] \write$180.data ;
+  wire [80:0] \write$188 ;
+  wire [8:0] \write$188.addr ;
+  wire [71:0] \write$188.data ;
+  wire [80:0] \write$196 ;
+  wire [8:0] \write$196.addr ;
+  wire [71:0] \write$196.data ;
+  wire [80:0] \write$204 ;
+  wire [8:0] \write$204.addr ;
+  wire [71:0] \write$204.data ;
+  wire [80:0] \write$212 ;
+  wire [8:0] \write$212.addr ;
+  wire [71:0] \write$212.data ;
+  wire [80:0] \write$220 ;
+  wire [8:0] \write$220.addr ;
+  wire [71:0] \write$220.data ;
+  wire [80:0] \write$228 ;
+  wire [8:0] \write$228.addr ;
+  wire [71:0] \write$228.data ;
+  wire [80:0] \write$236 ;
+  wire [8:0] \write$236.addr ;
+  wire [71:0] \write$236.data ;
+  wire [80:0] \write$244 ;
+  wire [8:0] \write$244.addr ;
+  wire [71:0] \write$244.data ;
+  wire [80:0] \write$252 ;
+  wire [8:0] \write$252.addr ;
+  wire [71:0] \write$252.data ;
+  wire [80:0] \write$260 ;
+  wire [8:0] \write$260.addr ;
+  wire [71:0] \write$260.data ;
+  wire [80:0] \write$268 ;
+  wire [8:0] \write$268.addr ;
+  wire [71:0] \write$268.data ;
+  wire [80:0] \write$276 ;
+  wire [8:0] \write$276.addr ;
+  wire [71:0] \write$276.data ;
+  wire [80:0] \write$284 ;
+  wire [8:0] \write$284.addr ;
+  wire [71:0] \write$284.data ;
+  wire [80:0] \write$292 ;
+  wire [8:0] \write$292.addr ;
+  wire [71:0] \write$292.data ;
+  wire [80:0] \write$300 ;
+  wire [8:0] \write$300.addr ;
+  wire [71:0] \write$300.data ;
+  wire [80:0] \write$308 ;
+  wire [8:0] \write$308.addr ;
+  wire [71:0] \write$308.data ;
+  wire [80:0] \write$316 ;
+  wire [8:0] \write$316.addr ;
+  wire [71:0] \write$316.data ;
+  wire [80:0] \write$324 ;
+  wire [8:0] \write$324.addr ;
+  wire [71:0] \write$324.data ;
+  wire [80:0] \write$332 ;
+  wire [8:0] \write$332.addr ;
+  wire [71:0] \write$332.data ;
+  wire [80:0] \write$340 ;
+  wire [8:0] \write$340.addr ;
+  wire [71:0] \write$340.data ;
+  wire [80:0] \write$348 ;
+  wire [8:0] \write$348.addr ;
+  wire [71:0] \write$348.data ;
+  wire [80:0] \write$356 ;
+  wire [8:0] \write$356.addr ;
+  wire [71:0] \write$356.data ;
+  wire [80:0] \write$364 ;
+  wire [8:0] \write$364.addr ;
+  wire [71:0] \write$364.data ;
+  wire [80:0] \write$372 ;
+  wire [8:0] \write$372.addr ;
+  wire [71:0] \write$372.data ;
+  wire [80:0] \write$380 ;
+  wire [8:0] \write$380.addr ;
+  wire [71:0] \write$380.data ;
+  wire [80:0] \write$388 ;
+  wire [8:0] \write$388.addr ;
+  wire [71:0] \write$388.data ;
+  wire [80:0] \write$396 ;
+  wire [8:0] \write$396.addr ;
+  wire [71:0] \write$396.data ;
+  wire [80:0] \write$404 ;
+  wire [8:0] \write$404.addr ;
+  wire [71:0] \write$404.data ;
+  wire [80:0] \write$412 ;
+  wire [8:0] \write$412.addr ;
+  wire [71:0] \write$412.data ;
+  wire [80:0] \write$420 ;
+  wire [8:0] \write$420.addr ;
+  wire [71:0] \write$420.data ;
+  wire [80:0] \write$428 ;
+  wire [8:0] \write$428.addr ;
+  wire [71:0] \write$428.data ;
+  wire [80:0] \write$436 ;
+  wire [8:0] \write$436.addr ;
+  wire [71:0] \write$436.data ;
+  wire [80:0] \write$444 ;
+  wire [8:0] \write$444.addr ;
+  wire [71:0] \write$444.data ;
+  wire [80:0] \write$452 ;
+  wire [8:0] \write$452.addr ;
+  wire [71:0] \write$452.data ;
+  wire [80:0] \write$460 ;
+  wire [8:0] \write$460.addr ;
+  wire [71:0] \write$460.data ;
+  wire [80:0] \write$468 ;
+  wire [8:0] \write$468.addr ;
+  wire [71:0] \write$468.data ;
+  wire [80:0] \write$476 ;
+  wire [8:0] \write$476.addr ;
+  wire [71:0] \write$476.data ;
+  wire [80:0] \write$484 ;
+  wire [8:0] \write$484.addr ;
+  wire [71:0] \write$484.data ;
+  wire [80:0] \write$492 ;
+  wire [8:0] \write$492.addr ;
+  wire [71:0] \write$492.data ;
+  wire [80:0] \write$500 ;
+  wire [8:0] \write$500.addr ;
+  wire [71:0] \write$500.data ;
+  wire [80:0] \write$508 ;
+  wire [8:0] \write$508.addr ;
+  wire [71:0] \write$508.data ;
+  wire [80:0] \write$516 ;
+  wire [8:0] \write$516.addr ;
+  wire [71:0] \write$516.data ;
+  wire [80:0] \write$524 ;
+  wire [8:0] \write$524.addr ;
+  wire [71:0] \write$524.data ;
+  wire [80:0] \write$532 ;
+  wire [8:0] \write$532.addr ;
+  wire [71:0] \write$532.data ;
+  wire [80:0] \write$540 ;
+  wire [8:0] \write$540.addr ;
+  wire [71:0] \write$540.data ;
+  wire [80:0] \write$548 ;
+  wire [8:0] \write$548.addr ;
+  wire [71:0] \write$548.data ;
+  wire [80:0] \write$556 ;
+  wire [8:0] \write$556.addr ;
+  wire [71:0] \write$556.data ;
+  wire [80:0] \write$564 ;
+  wire [8:0] \write$564.addr ;
+  wire [71:0] \write$564.data ;
+  wire [80:0] \write$572 ;
+  wire [8:0] \write$572.addr ;
+  wire [71:0] \write$572.data ;
+  wire [80:0] \write$580 ;
+  wire [8:0] \write$580.addr ;
+  wire [71:0] \write$580.data ;
+  wire [80:0] \write$586 ;
+  wire [8:0] \write$586.addr ;
+  wire [71:0] \write$586.data ;
+  wire [80:0] \write$592 ;
+  wire [8:0] \write$592.addr ;
+  wire [71:0] \write$592.data ;
+  wire [80:0] \write$598 ;
+  wire [8:0] \write$598.addr ;
+  wire [71:0] \write$598.data ;
   wire [80:0] \write$91 ;
   wire [8:0] \write$91.addr ;
   wire [71:0] \write$91.data ;
   wire [7:0] \write.addr ;
   wire [535:0] \write.data ;
   wire write_en;
-  wire \write_en$103 ;
-  wire \write_en$112 ;
-  wire \write_en$121 ;
-  wire \write_en$130 ;
-  wire \write_en$138 ;
-  wire \write_en$146 ;
-  wire \write_en$154 ;
-  wire \write_en$162 ;
-  wire \write_en$170 ;
-  wire \write_en$178 ;
-  wire \write_en$186 ;
-  wire \write_en$194 ;
-  wire \write_en$202 ;
-  wire \write_en$210 ;
-  wire \write_en$218 ;
-  wire \write_en$226 ;
-  wire \write_en$234 ;
-  wire \write_en$242 ;
-  wire \write_en$250 ;
-  wire \write_en$258 ;
-  wire \write_en$266 ;
-  wire \write_en$274 ;
-  wire \write_en$282 ;
-  wire \write_en$290 ;
-  wire \write_en$298 ;
-  wire \write_en$306 ;
-  wire \write_en$314 ;
-  wire \write_en$322 ;
-  wire \write_en$330 ;
-  wire \write_en$338 ;
-  wire \write_en$346 ;
-  wire \write_en$354 ;
-  wire \write_en$362 ;
-  wire \write_en$370 ;
-  wire \write_en$378 ;
-  wire \write_en$386 ;
-  wire \write_en$394 ;
-  wire \write_en$402 ;
-  wire \write_en$410 ;
-  wire \write_en$418 ;
-  wire \write_en$426 ;
-  wire \write_en$434 ;
-  wire \write_en$442 ;
-  wire \write_en$450 ;
-  wire \write_en$458 ;
-  wire \write_en$466 ;
-  wire \write_en$474 ;
-  wire \write_en$482 ;
-  wire \write_en$490 ;
-  wire \write_en$498 ;
-  wire \write_en$506 ;
-  wire \write_en$514 ;
-  wire \write_en$522 ;
-  wire \write_en$530 ;
-  wire \write_en$538 ;
-  wire \write_en$546 ;
-  wire \write_en$554 ;
-  wire \write_en$562 ;
-  wire \write_en$570 ;
-  wire \write_en$578 ;
-  wire \write_en$584 ;
-  wire \write_en$590 ;
-  wire \write_en$596 ;
+  wire \write_en$104 ;
+  wire \write_en$113 ;
+  wire \write_en$122 ;
+  wire \write_en$131 ;
+  wire \write_en$139 ;
+  wire \write_en$147 ;
+  wire \write_en$155 ;
+  wire \write_en$163 ;
+  wire \write_en$171 ;
+  wire \write_en$179 ;
+  wire \write_en$187 ;
+  wire \write_en$195 ;
+  wire \write_en$203 ;
+  wire \write_en$211 ;
+  wire \write_en$219 ;
+  wire \write_en$227 ;
+  wire \write_en$235 ;
+  wire \write_en$243 ;
+  wire \write_en$251 ;
+  wire \write_en$259 ;
+  wire \write_en$267 ;
+  wire \write_en$275 ;
+  wire \write_en$283 ;
+  wire \write_en$291 ;
+  wire \write_en$299 ;
+  wire \write_en$307 ;
+  wire \write_en$315 ;
+  wire \write_en$323 ;
+  wire \write_en$331 ;
+  wire \write_en$339 ;
+  wire \write_en$347 ;
+  wire \write_en$355 ;
+  wire \write_en$363 ;
+  wire \write_en$371 ;
+  wire \write_en$379 ;
+  wire \write_en$387 ;
+  wire \write_en$395 ;
+  wire \write_en$403 ;
+  wire \write_en$411 ;
+  wire \write_en$419 ;
+  wire \write_en$427 ;
+  wire \write_en$435 ;
+  wire \write_en$443 ;
+  wire \write_en$451 ;
+  wire \write_en$459 ;
+  wire \write_en$467 ;
+  wire \write_en$475 ;
+  wire \write_en$483 ;
+  wire \write_en$491 ;
+  wire \write_en$499 ;
+  wire \write_en$507 ;
+  wire \write_en$515 ;
+  wire \write_en$523 ;
+  wire \write_en$531 ;
+  wire \write_en$539 ;
+  wire \write_en$547 ;
+  wire \write_en$555 ;
+  wire \write_en$563 ;
+  wire \write_en$571 ;
+  wire \write_en$579 ;
+  wire \write_en$585 ;
+  wire \write_en$591 ;
+  wire \write_en$597 ;
   wire \write_en$89 ;
   assign \$22  = | \wait ;
   assign \$23  = \wait  - 1'h1;
@@ -2238,7 +2238,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \$40  = running & \o__valid$51 ;
   assign \$41  = \$40  & \o__ready$49 ;
   assign \$42  = \$41  & \o__payload$47 [64];
-  assign \$43  = ! \error$608 ;
+  assign \$43  = ! \error$609 ;
   assign \$44  = cycles + 1'h1;
   assign \$45  = ~ \$signal$621 ;
   assign \$46  = ~ flushing;
@@ -2253,7 +2253,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @(posedge clk)
     running <= \$54 ;
   always @(posedge clk)
-    \error$608  <= \$55 ;
+    \error$609  <= \$55 ;
   always @(posedge clk)
     done <= \$56 ;
   always @(posedge clk)
@@ -2265,7 +2265,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @(posedge clk)
     info1 <= info0;
   always @(posedge clk)
-    control2 <= \$59 ;
+    control <= \$59 ;
   always @(posedge clk)
     info2 <= info1;
   always @(posedge clk)
@@ -2273,7 +2273,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @(posedge clk)
     info <= info2;
   always @(posedge clk)
-    \$signal$604  <= \$61 ;
+    \$signal$605  <= \$61 ;
   always @(posedge clk)
     \$signal$621  <= \$62 ;
   always @(posedge clk)
@@ -2314,9 +2314,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \$signal  = i__valid & i__ready;
   assign \$19  = \o__valid$51  & \o__ready$49 ;
   assign last_beat = \$19  & \o__payload$47 [64];
-  assign \$20  = \$signal  | \$signal$604 ;
+  assign \$20  = \$signal  | \$signal$605 ;
   assign \$21  = ~ ended;
-  assign \$signal$603  = \$20  & \$21 ;
+  assign \$signal$604  = \$20  & \$21 ;
   \macram_top.array.decoder  decoder (
     .c_in(c_in),
     .c_out(c_out),
@@ -2361,7 +2361,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.frame  frame (
     .clk(clk),
-    .error(\error$612 ),
+    .error(\error$613 ),
     .fault(fault),
     .i__payload(i__payload),
     .i__ready(i__ready),
@@ -2403,8 +2403,8 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.loader  loader (
     .clk(clk),
-    .error(\error$613 ),
-    .fault(\fault$611 ),
+    .error(\error$614 ),
+    .fault(\fault$612 ),
     .i__payload(\i__payload$53 ),
     .i__ready(\busy$16 ),
     .i__valid(\i__valid$57 ),
@@ -2441,7 +2441,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .clk(clk),
     .core__activations(activations),
     .core__chain_i(chain_i),
-    .core__control(control3),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2450,11 +2450,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit001  unit001 (
     .address(step[23:15]),
-    .chain_o(\chain_o$108 ),
+    .chain_o(\chain_o$109 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$109 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$110 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2463,11 +2463,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit002  unit002 (
     .address(step[23:15]),
-    .chain_o(\chain_o$117 ),
+    .chain_o(\chain_o$118 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$118 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$119 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2476,11 +2476,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit003  unit003 (
     .address(step[23:15]),
-    .chain_o(\chain_o$126 ),
+    .chain_o(\chain_o$127 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$127 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$128 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2492,8 +2492,8 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .chain_o(chain_i),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$135 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$136 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2502,11 +2502,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit005  unit005 (
     .address(step[23:15]),
-    .chain_o(\chain_i$109 ),
+    .chain_o(\chain_i$110 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$143 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$144 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2515,11 +2515,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit006  unit006 (
     .address(step[23:15]),
-    .chain_o(\chain_i$118 ),
+    .chain_o(\chain_i$119 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$151 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$152 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2528,11 +2528,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit007  unit007 (
     .address(step[23:15]),
-    .chain_o(\chain_i$127 ),
+    .chain_o(\chain_i$128 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$159 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$160 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2541,11 +2541,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit008  unit008 (
     .address(step[23:15]),
-    .chain_o(\chain_i$135 ),
+    .chain_o(\chain_i$136 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$167 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$168 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2554,11 +2554,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit009  unit009 (
     .address(step[23:15]),
-    .chain_o(\chain_i$143 ),
+    .chain_o(\chain_i$144 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$175 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$176 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2567,11 +2567,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit010  unit010 (
     .address(step[23:15]),
-    .chain_o(\chain_i$151 ),
+    .chain_o(\chain_i$152 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$183 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$184 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2580,11 +2580,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit011  unit011 (
     .address(step[23:15]),
-    .chain_o(\chain_i$159 ),
+    .chain_o(\chain_i$160 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$191 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$192 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2593,11 +2593,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit012  unit012 (
     .address(step[23:15]),
-    .chain_o(\chain_i$167 ),
+    .chain_o(\chain_i$168 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$199 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$200 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2606,11 +2606,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit013  unit013 (
     .address(step[23:15]),
-    .chain_o(\chain_i$175 ),
+    .chain_o(\chain_i$176 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$207 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$208 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2619,11 +2619,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit014  unit014 (
     .address(step[23:15]),
-    .chain_o(\chain_i$183 ),
+    .chain_o(\chain_i$184 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$215 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$216 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2632,11 +2632,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit015  unit015 (
     .address(step[23:15]),
-    .chain_o(\chain_i$191 ),
+    .chain_o(\chain_i$192 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$223 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$224 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2645,11 +2645,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit016  unit016 (
     .address(step[23:15]),
-    .chain_o(\chain_i$199 ),
+    .chain_o(\chain_i$200 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$231 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$232 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2658,11 +2658,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit017  unit017 (
     .address(step[23:15]),
-    .chain_o(\chain_i$207 ),
+    .chain_o(\chain_i$208 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$239 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$240 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2671,11 +2671,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit018  unit018 (
     .address(step[23:15]),
-    .chain_o(\chain_i$215 ),
+    .chain_o(\chain_i$216 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$247 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$248 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2684,11 +2684,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit019  unit019 (
     .address(step[23:15]),
-    .chain_o(\chain_i$223 ),
+    .chain_o(\chain_i$224 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$255 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$256 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2697,11 +2697,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit020  unit020 (
     .address(step[23:15]),
-    .chain_o(\chain_i$231 ),
+    .chain_o(\chain_i$232 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$263 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$264 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2710,11 +2710,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit021  unit021 (
     .address(step[23:15]),
-    .chain_o(\chain_i$239 ),
+    .chain_o(\chain_i$240 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$271 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$272 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2723,11 +2723,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit022  unit022 (
     .address(step[23:15]),
-    .chain_o(\chain_i$247 ),
+    .chain_o(\chain_i$248 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$279 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$280 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2736,11 +2736,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit023  unit023 (
     .address(step[23:15]),
-    .chain_o(\chain_i$255 ),
+    .chain_o(\chain_i$256 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$287 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$288 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2749,11 +2749,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit024  unit024 (
     .address(step[23:15]),
-    .chain_o(\chain_i$263 ),
+    .chain_o(\chain_i$264 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$295 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$296 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2762,11 +2762,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit025  unit025 (
     .address(step[23:15]),
-    .chain_o(\chain_i$271 ),
+    .chain_o(\chain_i$272 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$303 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$304 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2775,11 +2775,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit026  unit026 (
     .address(step[23:15]),
-    .chain_o(\chain_i$279 ),
+    .chain_o(\chain_i$280 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$311 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$312 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2788,11 +2788,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit027  unit027 (
     .address(step[23:15]),
-    .chain_o(\chain_i$287 ),
+    .chain_o(\chain_i$288 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$319 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$320 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2801,11 +2801,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit028  unit028 (
     .address(step[23:15]),
-    .chain_o(\chain_i$295 ),
+    .chain_o(\chain_i$296 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$327 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$328 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2814,11 +2814,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit029  unit029 (
     .address(step[23:15]),
-    .chain_o(\chain_i$303 ),
+    .chain_o(\chain_i$304 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$335 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$336 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2827,11 +2827,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit030  unit030 (
     .address(step[23:15]),
-    .chain_o(\chain_i$311 ),
+    .chain_o(\chain_i$312 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$343 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$344 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2840,11 +2840,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit031  unit031 (
     .address(step[23:15]),
-    .chain_o(\chain_i$319 ),
+    .chain_o(\chain_i$320 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$351 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$352 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2853,11 +2853,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit032  unit032 (
     .address(step[23:15]),
-    .chain_o(\chain_i$327 ),
+    .chain_o(\chain_i$328 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$359 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$360 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2866,11 +2866,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit033  unit033 (
     .address(step[23:15]),
-    .chain_o(\chain_i$335 ),
+    .chain_o(\chain_i$336 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$367 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$368 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2879,11 +2879,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit034  unit034 (
     .address(step[23:15]),
-    .chain_o(\chain_i$343 ),
+    .chain_o(\chain_i$344 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$375 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$376 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2892,11 +2892,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit035  unit035 (
     .address(step[23:15]),
-    .chain_o(\chain_i$351 ),
+    .chain_o(\chain_i$352 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$383 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$384 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2905,11 +2905,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit036  unit036 (
     .address(step[23:15]),
-    .chain_o(\chain_i$359 ),
+    .chain_o(\chain_i$360 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$391 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$392 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2918,11 +2918,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit037  unit037 (
     .address(step[23:15]),
-    .chain_o(\chain_i$367 ),
+    .chain_o(\chain_i$368 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$399 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$400 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2931,11 +2931,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit038  unit038 (
     .address(step[23:15]),
-    .chain_o(\chain_i$375 ),
+    .chain_o(\chain_i$376 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$407 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$408 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2944,11 +2944,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit039  unit039 (
     .address(step[23:15]),
-    .chain_o(\chain_i$383 ),
+    .chain_o(\chain_i$384 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$415 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$416 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2957,11 +2957,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit040  unit040 (
     .address(step[23:15]),
-    .chain_o(\chain_i$391 ),
+    .chain_o(\chain_i$392 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$423 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$424 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2970,11 +2970,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit041  unit041 (
     .address(step[23:15]),
-    .chain_o(\chain_i$399 ),
+    .chain_o(\chain_i$400 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$431 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$432 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2983,11 +2983,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit042  unit042 (
     .address(step[23:15]),
-    .chain_o(\chain_i$407 ),
+    .chain_o(\chain_i$408 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$439 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$440 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -2996,11 +2996,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit043  unit043 (
     .address(step[23:15]),
-    .chain_o(\chain_i$415 ),
+    .chain_o(\chain_i$416 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$447 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$448 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3009,11 +3009,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit044  unit044 (
     .address(step[23:15]),
-    .chain_o(\chain_i$423 ),
+    .chain_o(\chain_i$424 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$455 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$456 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3022,11 +3022,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit045  unit045 (
     .address(step[23:15]),
-    .chain_o(\chain_i$431 ),
+    .chain_o(\chain_i$432 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$463 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$464 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3035,11 +3035,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit046  unit046 (
     .address(step[23:15]),
-    .chain_o(\chain_i$439 ),
+    .chain_o(\chain_i$440 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$471 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$472 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3048,11 +3048,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit047  unit047 (
     .address(step[23:15]),
-    .chain_o(\chain_i$447 ),
+    .chain_o(\chain_i$448 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$479 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$480 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3061,11 +3061,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit048  unit048 (
     .address(step[23:15]),
-    .chain_o(\chain_i$455 ),
+    .chain_o(\chain_i$456 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$487 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$488 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3074,11 +3074,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit049  unit049 (
     .address(step[23:15]),
-    .chain_o(\chain_i$463 ),
+    .chain_o(\chain_i$464 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$495 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$496 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3087,11 +3087,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit050  unit050 (
     .address(step[23:15]),
-    .chain_o(\chain_i$471 ),
+    .chain_o(\chain_i$472 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$503 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$504 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3100,11 +3100,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit051  unit051 (
     .address(step[23:15]),
-    .chain_o(\chain_i$479 ),
+    .chain_o(\chain_i$480 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$511 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$512 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3113,11 +3113,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit052  unit052 (
     .address(step[23:15]),
-    .chain_o(\chain_i$487 ),
+    .chain_o(\chain_i$488 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$519 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$520 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3126,11 +3126,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit053  unit053 (
     .address(step[23:15]),
-    .chain_o(\chain_i$495 ),
+    .chain_o(\chain_i$496 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$527 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$528 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3139,11 +3139,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit054  unit054 (
     .address(step[23:15]),
-    .chain_o(\chain_i$503 ),
+    .chain_o(\chain_i$504 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$535 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$536 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3152,11 +3152,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit055  unit055 (
     .address(step[23:15]),
-    .chain_o(\chain_i$511 ),
+    .chain_o(\chain_i$512 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$543 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$544 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3165,11 +3165,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit056  unit056 (
     .address(step[23:15]),
-    .chain_o(\chain_i$519 ),
+    .chain_o(\chain_i$520 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$551 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$552 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3178,11 +3178,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit057  unit057 (
     .address(step[23:15]),
-    .chain_o(\chain_i$527 ),
+    .chain_o(\chain_i$528 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$559 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$560 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3191,11 +3191,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit058  unit058 (
     .address(step[23:15]),
-    .chain_o(\chain_i$535 ),
+    .chain_o(\chain_i$536 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$567 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$568 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3204,11 +3204,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit059  unit059 (
     .address(step[23:15]),
-    .chain_o(\chain_i$543 ),
+    .chain_o(\chain_i$544 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$575 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$576 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3217,10 +3217,10 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit060  unit060 (
     .address(step[23:15]),
-    .chain_o(\chain_i$551 ),
+    .chain_o(\chain_i$552 ),
     .clk(clk),
     .core__activations(activations),
-    .core__control(control3),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3229,10 +3229,10 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit061  unit061 (
     .address(step[23:15]),
-    .chain_o(\chain_i$559 ),
+    .chain_o(\chain_i$560 ),
     .clk(clk),
     .core__activations(activations),
-    .core__control(control3),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3241,10 +3241,10 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit062  unit062 (
     .address(step[23:15]),
-    .chain_o(\chain_i$567 ),
+    .chain_o(\chain_i$568 ),
     .clk(clk),
     .core__activations(activations),
-    .core__control(control3),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3253,10 +3253,10 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   );
   \macram_top.array.unit063  unit063 (
     .address(step[23:15]),
-    .chain_o(\chain_i$575 ),
+    .chain_o(\chain_i$576 ),
     .clk(clk),
     .core__activations(activations),
-    .core__control(control3),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
     .write__addr(\$70 ),
@@ -3326,7 +3326,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$55  = \error$608 ;
+    \$55  = \error$609 ;
     if (\$22 ) begin
       if (\$24 ) begin
         \$55  = error;
@@ -3340,9 +3340,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     end
     if (\$43 ) begin
       if (fault) begin
-        \$55  = \error$612 ;
-      end else if (\fault$611 ) begin
         \$55  = \error$613 ;
+      end else if (\fault$612 ) begin
+        \$55  = \error$614 ;
       end
     end
     if (\port$1022$0 [3]) begin
@@ -3400,7 +3400,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$60  = control2;
+    \$60  = control;
     if (\port$1022$0 [3]) begin
       \$60  = 8'h00;
     end
@@ -3410,7 +3410,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$61  = \$signal$604 ;
+    \$61  = \$signal$605 ;
     if (\$signal ) begin
       \$61  = 1'h1;
     end
@@ -3459,7 +3459,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$64  = cycles;
-    if (\$signal$603 ) begin
+    if (\$signal$604 ) begin
       \$64  = \$44 [31:0];
     end
     if (start) begin
@@ -3475,7 +3475,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$65  = mac_cycles;
-    if (\$signal$603 ) begin
+    if (\$signal$604 ) begin
       if (issue) begin
         \$65  = \$48 [31:0];
       end
@@ -3493,7 +3493,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$66  = fill_cycles;
-    if (\$signal$603 ) begin
+    if (\$signal$604 ) begin
       if (issue) begin
       end else if (\$45 ) begin
         \$66  = \$49 [31:0];
@@ -3512,7 +3512,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$67  = input_stalls;
-    if (\$signal$603 ) begin
+    if (\$signal$604 ) begin
       if (issue) begin
       end else if (\$45 ) begin
       end else if (starved) begin
@@ -3532,7 +3532,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$68  = output_stalls;
-    if (\$signal$603 ) begin
+    if (\$signal$604 ) begin
       if (issue) begin
       end else if (\$45 ) begin
       end else if (starved) begin
@@ -3553,7 +3553,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$69  = drain_cycles;
-    if (\$signal$603 ) begin
+    if (\$signal$604 ) begin
       (* full_case = 32'd1 *)
       if (issue) begin
       end else if (\$45 ) begin
@@ -3626,446 +3626,446 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \write$91  = { \$72 [519:448], \$70  };
   assign weight = { \$72 [519:448], \$70  };
   assign word = activations;
-  assign control = control3;
-  assign \shift$97  = shift;
-  assign \chain_o$101  = chain_i;
-  assign \address$102  = step[23:15];
-  assign \write_en$103  = unit_en[1];
-  assign \write$104  = { \$72 [519:448], \$70  };
-  assign \activations$105  = activations;
-  assign \control$106  = control3;
-  assign \shift$107  = shift;
-  assign \chain_o$110  = \chain_i$109 ;
-  assign \address$111  = step[23:15];
-  assign \write_en$112  = unit_en[2];
-  assign \write$113  = { \$72 [519:448], \$70  };
-  assign \activations$114  = activations;
-  assign \control$115  = control3;
-  assign \shift$116  = shift;
-  assign \chain_o$119  = \chain_i$118 ;
-  assign \address$120  = step[23:15];
-  assign \write_en$121  = unit_en[3];
-  assign \write$122  = { \$72 [519:448], \$70  };
-  assign \activations$123  = activations;
-  assign \control$124  = control3;
-  assign \shift$125  = shift;
-  assign \chain_o$128  = \chain_i$127 ;
-  assign \address$129  = step[23:15];
-  assign \write_en$130  = unit_en[4];
-  assign \write$131  = { \$72 [519:448], \$70  };
-  assign \activations$132  = activations;
-  assign \control$133  = control3;
-  assign \shift$134  = shift;
-  assign \chain_o$136  = \chain_i$135 ;
-  assign \address$137  = step[23:15];
-  assign \write_en$138  = unit_en[5];
-  assign \write$139  = { \$72 [519:448], \$70  };
-  assign \activations$140  = activations;
-  assign \control$141  = control3;
-  assign \shift$142  = shift;
-  assign \chain_o$144  = \chain_i$143 ;
-  assign \address$145  = step[23:15];
-  assign \write_en$146  = unit_en[6];
-  assign \write$147  = { \$72 [519:448], \$70  };
-  assign \activations$148  = activations;
-  assign \control$149  = control3;
-  assign \shift$150  = shift;
-  assign \chain_o$152  = \chain_i$151 ;
-  assign \address$153  = step[23:15];
-  assign \write_en$154  = unit_en[7];
-  assign \write$155  = { \$72 [519:448], \$70  };
-  assign \activations$156  = activations;
-  assign \control$157  = control3;
-  assign \shift$158  = shift;
-  assign \chain_o$160  = \chain_i$159 ;
-  assign \address$161  = step[23:15];
-  assign \write_en$162  = unit_en[8];
-  assign \write$163  = { \$72 [519:448], \$70  };
-  assign \activations$164  = activations;
-  assign \control$165  = control3;
-  assign \shift$166  = shift;
-  assign \chain_o$168  = \chain_i$167 ;
-  assign \address$169  = step[23:15];
-  assign \write_en$170  = unit_en[9];
-  assign \write$171  = { \$72 [519:448], \$70  };
-  assign \activations$172  = activations;
-  assign \control$173  = control3;
-  assign \shift$174  = shift;
-  assign \chain_o$176  = \chain_i$175 ;
-  assign \address$177  = step[23:15];
-  assign \write_en$178  = unit_en[10];
-  assign \write$179  = { \$72 [519:448], \$70  };
-  assign \activations$180  = activations;
-  assign \control$181  = control3;
-  assign \shift$182  = shift;
-  assign \chain_o$184  = \chain_i$183 ;
-  assign \address$185  = step[23:15];
-  assign \write_en$186  = unit_en[11];
-  assign \write$187  = { \$72 [519:448], \$70  };
-  assign \activations$188  = activations;
-  assign \control$189  = control3;
-  assign \shift$190  = shift;
-  assign \chain_o$192  = \chain_i$191 ;
-  assign \address$193  = step[23:15];
-  assign \write_en$194  = unit_en[12];
-  assign \write$195  = { \$72 [519:448], \$70  };
-  assign \activations$196  = activations;
-  assign \control$197  = control3;
-  assign \shift$198  = shift;
-  assign \chain_o$200  = \chain_i$199 ;
-  assign \address$201  = step[23:15];
-  assign \write_en$202  = unit_en[13];
-  assign \write$203  = { \$72 [519:448], \$70  };
-  assign \activations$204  = activations;
-  assign \control$205  = control3;
-  assign \shift$206  = shift;
-  assign \chain_o$208  = \chain_i$207 ;
-  assign \address$209  = step[23:15];
-  assign \write_en$210  = unit_en[14];
-  assign \write$211  = { \$72 [519:448], \$70  };
-  assign \activations$212  = activations;
-  assign \control$213  = control3;
-  assign \shift$214  = shift;
-  assign \chain_o$216  = \chain_i$215 ;
-  assign \address$217  = step[23:15];
-  assign \write_en$218  = unit_en[15];
-  assign \write$219  = { \$72 [519:448], \$70  };
-  assign \activations$220  = activations;
-  assign \control$221  = control3;
-  assign \shift$222  = shift;
-  assign \chain_o$224  = \chain_i$223 ;
-  assign \address$225  = step[23:15];
-  assign \write_en$226  = unit_en[16];
-  assign \write$227  = { \$72 [519:448], \$70  };
-  assign \activations$228  = activations;
-  assign \control$229  = control3;
-  assign \shift$230  = shift;
-  assign \chain_o$232  = \chain_i$231 ;
-  assign \address$233  = step[23:15];
-  assign \write_en$234  = unit_en[17];
-  assign \write$235  = { \$72 [519:448], \$70  };
-  assign \activations$236  = activations;
-  assign \control$237  = control3;
-  assign \shift$238  = shift;
-  assign \chain_o$240  = \chain_i$239 ;
-  assign \address$241  = step[23:15];
-  assign \write_en$242  = unit_en[18];
-  assign \write$243  = { \$72 [519:448], \$70  };
-  assign \activations$244  = activations;
-  assign \control$245  = control3;
-  assign \shift$246  = shift;
-  assign \chain_o$248  = \chain_i$247 ;
-  assign \address$249  = step[23:15];
-  assign \write_en$250  = unit_en[19];
-  assign \write$251  = { \$72 [519:448], \$70  };
-  assign \activations$252  = activations;
-  assign \control$253  = control3;
-  assign \shift$254  = shift;
-  assign \chain_o$256  = \chain_i$255 ;
-  assign \address$257  = step[23:15];
-  assign \write_en$258  = unit_en[20];
-  assign \write$259  = { \$72 [519:448], \$70  };
-  assign \activations$260  = activations;
-  assign \control$261  = control3;
-  assign \shift$262  = shift;
-  assign \chain_o$264  = \chain_i$263 ;
-  assign \address$265  = step[23:15];
-  assign \write_en$266  = unit_en[21];
-  assign \write$267  = { \$72 [519:448], \$70  };
-  assign \activations$268  = activations;
-  assign \control$269  = control3;
-  assign \shift$270  = shift;
-  assign \chain_o$272  = \chain_i$271 ;
-  assign \address$273  = step[23:15];
-  assign \write_en$274  = unit_en[22];
-  assign \write$275  = { \$72 [519:448], \$70  };
-  assign \activations$276  = activations;
-  assign \control$277  = control3;
-  assign \shift$278  = shift;
-  assign \chain_o$280  = \chain_i$279 ;
-  assign \address$281  = step[23:15];
-  assign \write_en$282  = unit_en[23];
-  assign \write$283  = { \$72 [519:448], \$70  };
-  assign \activations$284  = activations;
-  assign \control$285  = control3;
-  assign \shift$286  = shift;
-  assign \chain_o$288  = \chain_i$287 ;
-  assign \address$289  = step[23:15];
-  assign \write_en$290  = unit_en[24];
-  assign \write$291  = { \$72 [519:448], \$70  };
-  assign \activations$292  = activations;
-  assign \control$293  = control3;
-  assign \shift$294  = shift;
-  assign \chain_o$296  = \chain_i$295 ;
-  assign \address$297  = step[23:15];
-  assign \write_en$298  = unit_en[25];
-  assign \write$299  = { \$72 [519:448], \$70  };
-  assign \activations$300  = activations;
-  assign \control$301  = control3;
-  assign \shift$302  = shift;
-  assign \chain_o$304  = \chain_i$303 ;
-  assign \address$305  = step[23:15];
-  assign \write_en$306  = unit_en[26];
-  assign \write$307  = { \$72 [519:448], \$70  };
-  assign \activations$308  = activations;
-  assign \control$309  = control3;
-  assign \shift$310  = shift;
-  assign \chain_o$312  = \chain_i$311 ;
-  assign \address$313  = step[23:15];
-  assign \write_en$314  = unit_en[27];
-  assign \write$315  = { \$72 [519:448], \$70  };
-  assign \activations$316  = activations;
-  assign \control$317  = control3;
-  assign \shift$318  = shift;
-  assign \chain_o$320  = \chain_i$319 ;
-  assign \address$321  = step[23:15];
-  assign \write_en$322  = unit_en[28];
-  assign \write$323  = { \$72 [519:448], \$70  };
-  assign \activations$324  = activations;
-  assign \control$325  = control3;
-  assign \shift$326  = shift;
-  assign \chain_o$328  = \chain_i$327 ;
-  assign \address$329  = step[23:15];
-  assign \write_en$330  = unit_en[29];
-  assign \write$331  = { \$72 [519:448], \$70  };
-  assign \activations$332  = activations;
-  assign \control$333  = control3;
-  assign \shift$334  = shift;
-  assign \chain_o$336  = \chain_i$335 ;
-  assign \address$337  = step[23:15];
-  assign \write_en$338  = unit_en[30];
-  assign \write$339  = { \$72 [519:448], \$70  };
-  assign \activations$340  = activations;
-  assign \control$341  = control3;
-  assign \shift$342  = shift;
-  assign \chain_o$344  = \chain_i$343 ;
-  assign \address$345  = step[23:15];
-  assign \write_en$346  = unit_en[31];
-  assign \write$347  = { \$72 [519:448], \$70  };
-  assign \activations$348  = activations;
-  assign \control$349  = control3;
-  assign \shift$350  = shift;
-  assign \chain_o$352  = \chain_i$351 ;
-  assign \address$353  = step[23:15];
-  assign \write_en$354  = unit_en[32];
-  assign \write$355  = { \$72 [519:448], \$70  };
-  assign \activations$356  = activations;
-  assign \control$357  = control3;
-  assign \shift$358  = shift;
-  assign \chain_o$360  = \chain_i$359 ;
-  assign \address$361  = step[23:15];
-  assign \write_en$362  = unit_en[33];
-  assign \write$363  = { \$72 [519:448], \$70  };
-  assign \activations$364  = activations;
-  assign \control$365  = control3;
-  assign \shift$366  = shift;
-  assign \chain_o$368  = \chain_i$367 ;
-  assign \address$369  = step[23:15];
-  assign \write_en$370  = unit_en[34];
-  assign \write$371  = { \$72 [519:448], \$70  };
-  assign \activations$372  = activations;
-  assign \control$373  = control3;
-  assign \shift$374  = shift;
-  assign \chain_o$376  = \chain_i$375 ;
-  assign \address$377  = step[23:15];
-  assign \write_en$378  = unit_en[35];
-  assign \write$379  = { \$72 [519:448], \$70  };
-  assign \activations$380  = activations;
-  assign \control$381  = control3;
-  assign \shift$382  = shift;
-  assign \chain_o$384  = \chain_i$383 ;
-  assign \address$385  = step[23:15];
-  assign \write_en$386  = unit_en[36];
-  assign \write$387  = { \$72 [519:448], \$70  };
-  assign \activations$388  = activations;
-  assign \control$389  = control3;
-  assign \shift$390  = shift;
-  assign \chain_o$392  = \chain_i$391 ;
-  assign \address$393  = step[23:15];
-  assign \write_en$394  = unit_en[37];
-  assign \write$395  = { \$72 [519:448], \$70  };
-  assign \activations$396  = activations;
-  assign \control$397  = control3;
-  assign \shift$398  = shift;
-  assign \chain_o$400  = \chain_i$399 ;
-  assign \address$401  = step[23:15];
-  assign \write_en$402  = unit_en[38];
-  assign \write$403  = { \$72 [519:448], \$70  };
-  assign \activations$404  = activations;
-  assign \control$405  = control3;
-  assign \shift$406  = shift;
-  assign \chain_o$408  = \chain_i$407 ;
-  assign \address$409  = step[23:15];
-  assign \write_en$410  = unit_en[39];
-  assign \write$411  = { \$72 [519:448], \$70  };
-  assign \activations$412  = activations;
-  assign \control$413  = control3;
-  assign \shift$414  = shift;
-  assign \chain_o$416  = \chain_i$415 ;
-  assign \address$417  = step[23:15];
-  assign \write_en$418  = unit_en[40];
-  assign \write$419  = { \$72 [519:448], \$70  };
-  assign \activations$420  = activations;
-  assign \control$421  = control3;
-  assign \shift$422  = shift;
-  assign \chain_o$424  = \chain_i$423 ;
-  assign \address$425  = step[23:15];
-  assign \write_en$426  = unit_en[41];
-  assign \write$427  = { \$72 [519:448], \$70  };
-  assign \activations$428  = activations;
-  assign \control$429  = control3;
-  assign \shift$430  = shift;
-  assign \chain_o$432  = \chain_i$431 ;
-  assign \address$433  = step[23:15];
-  assign \write_en$434  = unit_en[42];
-  assign \write$435  = { \$72 [519:448], \$70  };
-  assign \activations$436  = activations;
-  assign \control$437  = control3;
-  assign \shift$438  = shift;
-  assign \chain_o$440  = \chain_i$439 ;
-  assign \address$441  = step[23:15];
-  assign \write_en$442  = unit_en[43];
-  assign \write$443  = { \$72 [519:448], \$70  };
-  assign \activations$444  = activations;
-  assign \control$445  = control3;
-  assign \shift$446  = shift;
-  assign \chain_o$448  = \chain_i$447 ;
-  assign \address$449  = step[23:15];
-  assign \write_en$450  = unit_en[44];
-  assign \write$451  = { \$72 [519:448], \$70  };
-  assign \activations$452  = activations;
-  assign \control$453  = control3;
-  assign \shift$454  = shift;
-  assign \chain_o$456  = \chain_i$455 ;
-  assign \address$457  = step[23:15];
-  assign \write_en$458  = unit_en[45];
-  assign \write$459  = { \$72 [519:448], \$70  };
-  assign \activations$460  = activations;
-  assign \control$461  = control3;
-  assign \shift$462  = shift;
-  assign \chain_o$464  = \chain_i$463 ;
-  assign \address$465  = step[23:15];
-  assign \write_en$466  = unit_en[46];
-  assign \write$467  = { \$72 [519:448], \$70  };
-  assign \activations$468  = activations;
-  assign \control$469  = control3;
-  assign \shift$470  = shift;
-  assign \chain_o$472  = \chain_i$471 ;
-  assign \address$473  = step[23:15];
-  assign \write_en$474  = unit_en[47];
-  assign \write$475  = { \$72 [519:448], \$70  };
-  assign \activations$476  = activations;
-  assign \control$477  = control3;
-  assign \shift$478  = shift;
-  assign \chain_o$480  = \chain_i$479 ;
-  assign \address$481  = step[23:15];
-  assign \write_en$482  = unit_en[48];
-  assign \write$483  = { \$72 [519:448], \$70  };
-  assign \activations$484  = activations;
-  assign \control$485  = control3;
-  assign \shift$486  = shift;
-  assign \chain_o$488  = \chain_i$487 ;
-  assign \address$489  = step[23:15];
-  assign \write_en$490  = unit_en[49];
-  assign \write$491  = { \$72 [519:448], \$70  };
-  assign \activations$492  = activations;
-  assign \control$493  = control3;
-  assign \shift$494  = shift;
-  assign \chain_o$496  = \chain_i$495 ;
-  assign \address$497  = step[23:15];
-  assign \write_en$498  = unit_en[50];
-  assign \write$499  = { \$72 [519:448], \$70  };
-  assign \activations$500  = activations;
-  assign \control$501  = control3;
-  assign \shift$502  = shift;
-  assign \chain_o$504  = \chain_i$503 ;
-  assign \address$505  = step[23:15];
-  assign \write_en$506  = unit_en[51];
-  assign \write$507  = { \$72 [519:448], \$70  };
-  assign \activations$508  = activations;
-  assign \control$509  = control3;
-  assign \shift$510  = shift;
-  assign \chain_o$512  = \chain_i$511 ;
-  assign \address$513  = step[23:15];
-  assign \write_en$514  = unit_en[52];
-  assign \write$515  = { \$72 [519:448], \$70  };
-  assign \activations$516  = activations;
-  assign \control$517  = control3;
-  assign \shift$518  = shift;
-  assign \chain_o$520  = \chain_i$519 ;
-  assign \address$521  = step[23:15];
-  assign \write_en$522  = unit_en[53];
-  assign \write$523  = { \$72 [519:448], \$70  };
-  assign \activations$524  = activations;
-  assign \control$525  = control3;
-  assign \shift$526  = shift;
-  assign \chain_o$528  = \chain_i$527 ;
-  assign \address$529  = step[23:15];
-  assign \write_en$530  = unit_en[54];
-  assign \write$531  = { \$72 [519:448], \$70  };
-  assign \activations$532  = activations;
-  assign \control$533  = control3;
-  assign \shift$534  = shift;
-  assign \chain_o$536  = \chain_i$535 ;
-  assign \address$537  = step[23:15];
-  assign \write_en$538  = unit_en[55];
-  assign \write$539  = { \$72 [519:448], \$70  };
-  assign \activations$540  = activations;
-  assign \control$541  = control3;
-  assign \shift$542  = shift;
-  assign \chain_o$544  = \chain_i$543 ;
-  assign \address$545  = step[23:15];
-  assign \write_en$546  = unit_en[56];
-  assign \write$547  = { \$72 [519:448], \$70  };
-  assign \activations$548  = activations;
-  assign \control$549  = control3;
-  assign \shift$550  = shift;
-  assign \chain_o$552  = \chain_i$551 ;
-  assign \address$553  = step[23:15];
-  assign \write_en$554  = unit_en[57];
-  assign \write$555  = { \$72 [519:448], \$70  };
-  assign \activations$556  = activations;
-  assign \control$557  = control3;
-  assign \shift$558  = shift;
-  assign \chain_o$560  = \chain_i$559 ;
-  assign \address$561  = step[23:15];
-  assign \write_en$562  = unit_en[58];
-  assign \write$563  = { \$72 [519:448], \$70  };
-  assign \activations$564  = activations;
-  assign \control$565  = control3;
-  assign \shift$566  = shift;
-  assign \chain_o$568  = \chain_i$567 ;
-  assign \address$569  = step[23:15];
-  assign \write_en$570  = unit_en[59];
-  assign \write$571  = { \$72 [519:448], \$70  };
-  assign \activations$572  = activations;
-  assign \control$573  = control3;
-  assign \shift$574  = shift;
-  assign \chain_o$576  = \chain_i$575 ;
-  assign \address$577  = step[23:15];
-  assign \write_en$578  = unit_en[60];
-  assign \write$579  = { \$72 [519:448], \$70  };
-  assign \activations$580  = activations;
-  assign \control$581  = control3;
-  assign \shift$582  = shift;
-  assign \address$583  = step[23:15];
-  assign \write_en$584  = unit_en[61];
-  assign \write$585  = { \$72 [519:448], \$70  };
-  assign \activations$586  = activations;
-  assign \control$587  = control3;
-  assign \shift$588  = shift;
-  assign \address$589  = step[23:15];
-  assign \write_en$590  = unit_en[62];
-  assign \write$591  = { \$72 [519:448], \$70  };
-  assign \activations$592  = activations;
-  assign \control$593  = control3;
-  assign \shift$594  = shift;
-  assign \address$595  = step[23:15];
-  assign \write_en$596  = unit_en[63];
-  assign \write$597  = { \$72 [519:448], \$70  };
-  assign \activations$598  = activations;
-  assign \control$599  = control3;
-  assign \shift$600  = shift;
+  assign control2 = control;
+  assign \shift$98  = shift;
+  assign \chain_o$102  = chain_i;
+  assign \address$103  = step[23:15];
+  assign \write_en$104  = unit_en[1];
+  assign \write$105  = { \$72 [519:448], \$70  };
+  assign \activations$106  = activations;
+  assign \control$107  = control;
+  assign \shift$108  = shift;
+  assign \chain_o$111  = \chain_i$110 ;
+  assign \address$112  = step[23:15];
+  assign \write_en$113  = unit_en[2];
+  assign \write$114  = { \$72 [519:448], \$70  };
+  assign \activations$115  = activations;
+  assign \control$116  = control;
+  assign \shift$117  = shift;
+  assign \chain_o$120  = \chain_i$119 ;
+  assign \address$121  = step[23:15];
+  assign \write_en$122  = unit_en[3];
+  assign \write$123  = { \$72 [519:448], \$70  };
+  assign \activations$124  = activations;
+  assign \control$125  = control;
+  assign \shift$126  = shift;
+  assign \chain_o$129  = \chain_i$128 ;
+  assign \address$130  = step[23:15];
+  assign \write_en$131  = unit_en[4];
+  assign \write$132  = { \$72 [519:448], \$70  };
+  assign \activations$133  = activations;
+  assign \control$134  = control;
+  assign \shift$135  = shift;
+  assign \chain_o$137  = \chain_i$136 ;
+  assign \address$138  = step[23:15];
+  assign \write_en$139  = unit_en[5];
+  assign \write$140  = { \$72 [519:448], \$70  };
+  assign \activations$141  = activations;
+  assign \control$142  = control;
+  assign \shift$143  = shift;
+  assign \chain_o$145  = \chain_i$144 ;
+  assign \address$146  = step[23:15];
+  assign \write_en$147  = unit_en[6];
+  assign \write$148  = { \$72 [519:448], \$70  };
+  assign \activations$149  = activations;
+  assign \control$150  = control;
+  assign \shift$151  = shift;
+  assign \chain_o$153  = \chain_i$152 ;
+  assign \address$154  = step[23:15];
+  assign \write_en$155  = unit_en[7];
+  assign \write$156  = { \$72 [519:448], \$70  };
+  assign \activations$157  = activations;
+  assign \control$158  = control;
+  assign \shift$159  = shift;
+  assign \chain_o$161  = \chain_i$160 ;
+  assign \address$162  = step[23:15];
+  assign \write_en$163  = unit_en[8];
+  assign \write$164  = { \$72 [519:448], \$70  };
+  assign \activations$165  = activations;
+  assign \control$166  = control;
+  assign \shift$167  = shift;
+  assign \chain_o$169  = \chain_i$168 ;
+  assign \address$170  = step[23:15];
+  assign \write_en$171  = unit_en[9];
+  assign \write$172  = { \$72 [519:448], \$70  };
+  assign \activations$173  = activations;
+  assign \control$174  = control;
+  assign \shift$175  = shift;
+  assign \chain_o$177  = \chain_i$176 ;
+  assign \address$178  = step[23:15];
+  assign \write_en$179  = unit_en[10];
+  assign \write$180  = { \$72 [519:448], \$70  };
+  assign \activations$181  = activations;
+  assign \control$182  = control;
+  assign \shift$183  = shift;
+  assign \chain_o$185  = \chain_i$184 ;
+  assign \address$186  = step[23:15];
+  assign \write_en$187  = unit_en[11];
+  assign \write$188  = { \$72 [519:448], \$70  };
+  assign \activations$189  = activations;
+  assign \control$190  = control;
+  assign \shift$191  = shift;
+  assign \chain_o$193  = \chain_i$192 ;
+  assign \address$194  = step[23:15];
+  assign \write_en$195  = unit_en[12];
+  assign \write$196  = { \$72 [519:448], \$70  };
+  assign \activations$197  = activations;
+  assign \control$198  = control;
+  assign \shift$199  = shift;
+  assign \chain_o$201  = \chain_i$200 ;
+  assign \address$202  = step[23:15];
+  assign \write_en$203  = unit_en[13];
+  assign \write$204  = { \$72 [519:448], \$70  };
+  assign \activations$205  = activations;
+  assign \control$206  = control;
+  assign \shift$207  = shift;
+  assign \chain_o$209  = \chain_i$208 ;
+  assign \address$210  = step[23:15];
+  assign \write_en$211  = unit_en[14];
+  assign \write$212  = { \$72 [519:448], \$70  };
+  assign \activations$213  = activations;
+  assign \control$214  = control;
+  assign \shift$215  = shift;
+  assign \chain_o$217  = \chain_i$216 ;
+  assign \address$218  = step[23:15];
+  assign \write_en$219  = unit_en[15];
+  assign \write$220  = { \$72 [519:448], \$70  };
+  assign \activations$221  = activations;
+  assign \control$222  = control;
+  assign \shift$223  = shift;
+  assign \chain_o$225  = \chain_i$224 ;
+  assign \address$226  = step[23:15];
+  assign \write_en$227  = unit_en[16];
+  assign \write$228  = { \$72 [519:448], \$70  };
+  assign \activations$229  = activations;
+  assign \control$230  = control;
+  assign \shift$231  = shift;
+  assign \chain_o$233  = \chain_i$232 ;
+  assign \address$234  = step[23:15];
+  assign \write_en$235  = unit_en[17];
+  assign \write$236  = { \$72 [519:448], \$70  };
+  assign \activations$237  = activations;
+  assign \control$238  = control;
+  assign \shift$239  = shift;
+  assign \chain_o$241  = \chain_i$240 ;
+  assign \address$242  = step[23:15];
+  assign \write_en$243  = unit_en[18];
+  assign \write$244  = { \$72 [519:448], \$70  };
+  assign \activations$245  = activations;
+  assign \control$246  = control;
+  assign \shift$247  = shift;
+  assign \chain_o$249  = \chain_i$248 ;
+  assign \address$250  = step[23:15];
+  assign \write_en$251  = unit_en[19];
+  assign \write$252  = { \$72 [519:448], \$70  };
+  assign \activations$253  = activations;
+  assign \control$254  = control;
+  assign \shift$255  = shift;
+  assign \chain_o$257  = \chain_i$256 ;
+  assign \address$258  = step[23:15];
+  assign \write_en$259  = unit_en[20];
+  assign \write$260  = { \$72 [519:448], \$70  };
+  assign \activations$261  = activations;
+  assign \control$262  = control;
+  assign \shift$263  = shift;
+  assign \chain_o$265  = \chain_i$264 ;
+  assign \address$266  = step[23:15];
+  assign \write_en$267  = unit_en[21];
+  assign \write$268  = { \$72 [519:448], \$70  };
+  assign \activations$269  = activations;
+  assign \control$270  = control;
+  assign \shift$271  = shift;
+  assign \chain_o$273  = \chain_i$272 ;
+  assign \address$274  = step[23:15];
+  assign \write_en$275  = unit_en[22];
+  assign \write$276  = { \$72 [519:448], \$70  };
+  assign \activations$277  = activations;
+  assign \control$278  = control;
+  assign \shift$279  = shift;
+  assign \chain_o$281  = \chain_i$280 ;
+  assign \address$282  = step[23:15];
+  assign \write_en$283  = unit_en[23];
+  assign \write$284  = { \$72 [519:448], \$70  };
+  assign \activations$285  = activations;
+  assign \control$286  = control;
+  assign \shift$287  = shift;
+  assign \chain_o$289  = \chain_i$288 ;
+  assign \address$290  = step[23:15];
+  assign \write_en$291  = unit_en[24];
+  assign \write$292  = { \$72 [519:448], \$70  };
+  assign \activations$293  = activations;
+  assign \control$294  = control;
+  assign \shift$295  = shift;
+  assign \chain_o$297  = \chain_i$296 ;
+  assign \address$298  = step[23:15];
+  assign \write_en$299  = unit_en[25];
+  assign \write$300  = { \$72 [519:448], \$70  };
+  assign \activations$301  = activations;
+  assign \control$302  = control;
+  assign \shift$303  = shift;
+  assign \chain_o$305  = \chain_i$304 ;
+  assign \address$306  = step[23:15];
+  assign \write_en$307  = unit_en[26];
+  assign \write$308  = { \$72 [519:448], \$70  };
+  assign \activations$309  = activations;
+  assign \control$310  = control;
+  assign \shift$311  = shift;
+  assign \chain_o$313  = \chain_i$312 ;
+  assign \address$314  = step[23:15];
+  assign \write_en$315  = unit_en[27];
+  assign \write$316  = { \$72 [519:448], \$70  };
+  assign \activations$317  = activations;
+  assign \control$318  = control;
+  assign \shift$319  = shift;
+  assign \chain_o$321  = \chain_i$320 ;
+  assign \address$322  = step[23:15];
+  assign \write_en$323  = unit_en[28];
+  assign \write$324  = { \$72 [519:448], \$70  };
+  assign \activations$325  = activations;
+  assign \control$326  = control;
+  assign \shift$327  = shift;
+  assign \chain_o$329  = \chain_i$328 ;
+  assign \address$330  = step[23:15];
+  assign \write_en$331  = unit_en[29];
+  assign \write$332  = { \$72 [519:448], \$70  };
+  assign \activations$333  = activations;
+  assign \control$334  = control;
+  assign \shift$335  = shift;
+  assign \chain_o$337  = \chain_i$336 ;
+  assign \address$338  = step[23:15];
+  assign \write_en$339  = unit_en[30];
+  assign \write$340  = { \$72 [519:448], \$70  };
+  assign \activations$341  = activations;
+  assign \control$342  = control;
+  assign \shift$343  = shift;
+  assign \chain_o$345  = \chain_i$344 ;
+  assign \address$346  = step[23:15];
+  assign \write_en$347  = unit_en[31];
+  assign \write$348  = { \$72 [519:448], \$70  };
+  assign \activations$349  = activations;
+  assign \control$350  = control;
+  assign \shift$351  = shift;
+  assign \chain_o$353  = \chain_i$352 ;
+  assign \address$354  = step[23:15];
+  assign \write_en$355  = unit_en[32];
+  assign \write$356  = { \$72 [519:448], \$70  };
+  assign \activations$357  = activations;
+  assign \control$358  = control;
+  assign \shift$359  = shift;
+  assign \chain_o$361  = \chain_i$360 ;
+  assign \address$362  = step[23:15];
+  assign \write_en$363  = unit_en[33];
+  assign \write$364  = { \$72 [519:448], \$70  };
+  assign \activations$365  = activations;
+  assign \control$366  = control;
+  assign \shift$367  = shift;
+  assign \chain_o$369  = \chain_i$368 ;
+  assign \address$370  = step[23:15];
+  assign \write_en$371  = unit_en[34];
+  assign \write$372  = { \$72 [519:448], \$70  };
+  assign \activations$373  = activations;
+  assign \control$374  = control;
+  assign \shift$375  = shift;
+  assign \chain_o$377  = \chain_i$376 ;
+  assign \address$378  = step[23:15];
+  assign \write_en$379  = unit_en[35];
+  assign \write$380  = { \$72 [519:448], \$70  };
+  assign \activations$381  = activations;
+  assign \control$382  = control;
+  assign \shift$383  = shift;
+  assign \chain_o$385  = \chain_i$384 ;
+  assign \address$386  = step[23:15];
+  assign \write_en$387  = unit_en[36];
+  assign \write$388  = { \$72 [519:448], \$70  };
+  assign \activations$389  = activations;
+  assign \control$390  = control;
+  assign \shift$391  = shift;
+  assign \chain_o$393  = \chain_i$392 ;
+  assign \address$394  = step[23:15];
+  assign \write_en$395  = unit_en[37];
+  assign \write$396  = { \$72 [519:448], \$70  };
+  assign \activations$397  = activations;
+  assign \control$398  = control;
+  assign \shift$399  = shift;
+  assign \chain_o$401  = \chain_i$400 ;
+  assign \address$402  = step[23:15];
+  assign \write_en$403  = unit_en[38];
+  assign \write$404  = { \$72 [519:448], \$70  };
+  assign \activations$405  = activations;
+  assign \control$406  = control;
+  assign \shift$407  = shift;
+  assign \chain_o$409  = \chain_i$408 ;
+  assign \address$410  = step[23:15];
+  assign \write_en$411  = unit_en[39];
+  assign \write$412  = { \$72 [519:448], \$70  };
+  assign \activations$413  = activations;
+  assign \control$414  = control;
+  assign \shift$415  = shift;
+  assign \chain_o$417  = \chain_i$416 ;
+  assign \address$418  = step[23:15];
+  assign \write_en$419  = unit_en[40];
+  assign \write$420  = { \$72 [519:448], \$70  };
+  assign \activations$421  = activations;
+  assign \control$422  = control;
+  assign \shift$423  = shift;
+  assign \chain_o$425  = \chain_i$424 ;
+  assign \address$426  = step[23:15];
+  assign \write_en$427  = unit_en[41];
+  assign \write$428  = { \$72 [519:448], \$70  };
+  assign \activations$429  = activations;
+  assign \control$430  = control;
+  assign \shift$431  = shift;
+  assign \chain_o$433  = \chain_i$432 ;
+  assign \address$434  = step[23:15];
+  assign \write_en$435  = unit_en[42];
+  assign \write$436  = { \$72 [519:448], \$70  };
+  assign \activations$437  = activations;
+  assign \control$438  = control;
+  assign \shift$439  = shift;
+  assign \chain_o$441  = \chain_i$440 ;
+  assign \address$442  = step[23:15];
+  assign \write_en$443  = unit_en[43];
+  assign \write$444  = { \$72 [519:448], \$70  };
+  assign \activations$445  = activations;
+  assign \control$446  = control;
+  assign \shift$447  = shift;
+  assign \chain_o$449  = \chain_i$448 ;
+  assign \address$450  = step[23:15];
+  assign \write_en$451  = unit_en[44];
+  assign \write$452  = { \$72 [519:448], \$70  };
+  assign \activations$453  = activations;
+  assign \control$454  = control;
+  assign \shift$455  = shift;
+  assign \chain_o$457  = \chain_i$456 ;
+  assign \address$458  = step[23:15];
+  assign \write_en$459  = unit_en[45];
+  assign \write$460  = { \$72 [519:448], \$70  };
+  assign \activations$461  = activations;
+  assign \control$462  = control;
+  assign \shift$463  = shift;
+  assign \chain_o$465  = \chain_i$464 ;
+  assign \address$466  = step[23:15];
+  assign \write_en$467  = unit_en[46];
+  assign \write$468  = { \$72 [519:448], \$70  };
+  assign \activations$469  = activations;
+  assign \control$470  = control;
+  assign \shift$471  = shift;
+  assign \chain_o$473  = \chain_i$472 ;
+  assign \address$474  = step[23:15];
+  assign \write_en$475  = unit_en[47];
+  assign \write$476  = { \$72 [519:448], \$70  };
+  assign \activations$477  = activations;
+  assign \control$478  = control;
+  assign \shift$479  = shift;
+  assign \chain_o$481  = \chain_i$480 ;
+  assign \address$482  = step[23:15];
+  assign \write_en$483  = unit_en[48];
+  assign \write$484  = { \$72 [519:448], \$70  };
+  assign \activations$485  = activations;
+  assign \control$486  = control;
+  assign \shift$487  = shift;
+  assign \chain_o$489  = \chain_i$488 ;
+  assign \address$490  = step[23:15];
+  assign \write_en$491  = unit_en[49];
+  assign \write$492  = { \$72 [519:448], \$70  };
+  assign \activations$493  = activations;
+  assign \control$494  = control;
+  assign \shift$495  = shift;
+  assign \chain_o$497  = \chain_i$496 ;
+  assign \address$498  = step[23:15];
+  assign \write_en$499  = unit_en[50];
+  assign \write$500  = { \$72 [519:448], \$70  };
+  assign \activations$501  = activations;
+  assign \control$502  = control;
+  assign \shift$503  = shift;
+  assign \chain_o$505  = \chain_i$504 ;
+  assign \address$506  = step[23:15];
+  assign \write_en$507  = unit_en[51];
+  assign \write$508  = { \$72 [519:448], \$70  };
+  assign \activations$509  = activations;
+  assign \control$510  = control;
+  assign \shift$511  = shift;
+  assign \chain_o$513  = \chain_i$512 ;
+  assign \address$514  = step[23:15];
+  assign \write_en$515  = unit_en[52];
+  assign \write$516  = { \$72 [519:448], \$70  };
+  assign \activations$517  = activations;
+  assign \control$518  = control;
+  assign \shift$519  = shift;
+  assign \chain_o$521  = \chain_i$520 ;
+  assign \address$522  = step[23:15];
+  assign \write_en$523  = unit_en[53];
+  assign \write$524  = { \$72 [519:448], \$70  };
+  assign \activations$525  = activations;
+  assign \control$526  = control;
+  assign \shift$527  = shift;
+  assign \chain_o$529  = \chain_i$528 ;
+  assign \address$530  = step[23:15];
+  assign \write_en$531  = unit_en[54];
+  assign \write$532  = { \$72 [519:448], \$70  };
+  assign \activations$533  = activations;
+  assign \control$534  = control;
+  assign \shift$535  = shift;
+  assign \chain_o$537  = \chain_i$536 ;
+  assign \address$538  = step[23:15];
+  assign \write_en$539  = unit_en[55];
+  assign \write$540  = { \$72 [519:448], \$70  };
+  assign \activations$541  = activations;
+  assign \control$542  = control;
+  assign \shift$543  = shift;
+  assign \chain_o$545  = \chain_i$544 ;
+  assign \address$546  = step[23:15];
+  assign \write_en$547  = unit_en[56];
+  assign \write$548  = { \$72 [519:448], \$70  };
+  assign \activations$549  = activations;
+  assign \control$550  = control;
+  assign \shift$551  = shift;
+  assign \chain_o$553  = \chain_i$552 ;
+  assign \address$554  = step[23:15];
+  assign \write_en$555  = unit_en[57];
+  assign \write$556  = { \$72 [519:448], \$70  };
+  assign \activations$557  = activations;
+  assign \control$558  = control;
+  assign \shift$559  = shift;
+  assign \chain_o$561  = \chain_i$560 ;
+  assign \address$562  = step[23:15];
+  assign \write_en$563  = unit_en[58];
+  assign \write$564  = { \$72 [519:448], \$70  };
+  assign \activations$565  = activations;
+  assign \control$566  = control;
+  assign \shift$567  = shift;
+  assign \chain_o$569  = \chain_i$568 ;
+  assign \address$570  = step[23:15];
+  assign \write_en$571  = unit_en[59];
+  assign \write$572  = { \$72 [519:448], \$70  };
+  assign \activations$573  = activations;
+  assign \control$574  = control;
+  assign \shift$575  = shift;
+  assign \chain_o$577  = \chain_i$576 ;
+  assign \address$578  = step[23:15];
+  assign \write_en$579  = unit_en[60];
+  assign \write$580  = { \$72 [519:448], \$70  };
+  assign \activations$581  = activations;
+  assign \control$582  = control;
+  assign \shift$583  = shift;
+  assign \address$584  = step[23:15];
+  assign \write_en$585  = unit_en[61];
+  assign \write$586  = { \$72 [519:448], \$70  };
+  assign \activations$587  = activations;
+  assign \control$588  = control;
+  assign \shift$589  = shift;
+  assign \address$590  = step[23:15];
+  assign \write_en$591  = unit_en[62];
+  assign \write$592  = { \$72 [519:448], \$70  };
+  assign \activations$593  = activations;
+  assign \control$594  = control;
+  assign \shift$595  = shift;
+  assign \address$596  = step[23:15];
+  assign \write_en$597  = unit_en[63];
+  assign \write$598  = { \$72 [519:448], \$70  };
+  assign \activations$599  = activations;
+  assign \control$600  = control;
+  assign \shift$601  = shift;
   assign soft_reset = \port$1022$0 [3];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
@@ -4187,11 +4187,16 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \write$91.data  = \$72 [519:448];
   assign \weight.addr  = \$70 ;
   assign \weight.data  = \$72 [519:448];
-  assign \control.en  = control3[0];
-  assign \control.first  = control3[1];
-  assign \control.last  = control3[2];
-  assign \control.edge  = control3[3];
-  assign \control.tile  = control3[7:4];
+  assign \control.en  = control[0];
+  assign \control.first  = control[1];
+  assign \control.last  = control[2];
+  assign \control.edge  = control[3];
+  assign \control.tile  = control[7:4];
+  assign \control2.en  = control[0];
+  assign \control2.first  = control[1];
+  assign \control2.last  = control[2];
+  assign \control2.edge  = control[3];
+  assign \control2.tile  = control[7:4];
   assign \heads[0]  = heads[75:0];
   assign \heads[0][0]  = heads[18:0];
   assign \heads[0][1]  = heads[37:19];
@@ -4220,935 +4225,935 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \chain_i[1]  = chain_i[37:19];
   assign \chain_i[2]  = chain_i[56:38];
   assign \chain_i[3]  = chain_i[75:57];
-  assign \chain_o$101[0]  = chain_i[18:0];
-  assign \chain_o$101[1]  = chain_i[37:19];
-  assign \chain_o$101[2]  = chain_i[56:38];
-  assign \chain_o$101[3]  = chain_i[75:57];
-  assign \write$104.addr  = \$70 ;
-  assign \write$104.data  = \$72 [519:448];
-  assign \control$106.en  = control3[0];
-  assign \control$106.first  = control3[1];
-  assign \control$106.last  = control3[2];
-  assign \control$106.edge  = control3[3];
-  assign \control$106.tile  = control3[7:4];
-  assign \chain_o$108[0]  = \chain_o$108 [18:0];
-  assign \chain_o$108[1]  = \chain_o$108 [37:19];
-  assign \chain_o$108[2]  = \chain_o$108 [56:38];
-  assign \chain_o$108[3]  = \chain_o$108 [75:57];
-  assign \chain_i$109[0]  = \chain_i$109 [18:0];
-  assign \chain_i$109[1]  = \chain_i$109 [37:19];
-  assign \chain_i$109[2]  = \chain_i$109 [56:38];
-  assign \chain_i$109[3]  = \chain_i$109 [75:57];
-  assign \chain_o$110[0]  = \chain_i$109 [18:0];
-  assign \chain_o$110[1]  = \chain_i$109 [37:19];
-  assign \chain_o$110[2]  = \chain_i$109 [56:38];
-  assign \chain_o$110[3]  = \chain_i$109 [75:57];
-  assign \write$113.addr  = \$70 ;
-  assign \write$113.data  = \$72 [519:448];
-  assign \control$115.en  = control3[0];
-  assign \control$115.first  = control3[1];
-  assign \control$115.last  = control3[2];
-  assign \control$115.edge  = control3[3];
-  assign \control$115.tile  = control3[7:4];
-  assign \chain_o$117[0]  = \chain_o$117 [18:0];
-  assign \chain_o$117[1]  = \chain_o$117 [37:19];
-  assign \chain_o$117[2]  = \chain_o$117 [56:38];
-  assign \chain_o$117[3]  = \chain_o$117 [75:57];
-  assign \chain_i$118[0]  = \chain_i$118 [18:0];
-  assign \chain_i$118[1]  = \chain_i$118 [37:19];
-  assign \chain_i$118[2]  = \chain_i$118 [56:38];
-  assign \chain_i$118[3]  = \chain_i$118 [75:57];
-  assign \chain_o$119[0]  = \chain_i$118 [18:0];
-  assign \chain_o$119[1]  = \chain_i$118 [37:19];
-  assign \chain_o$119[2]  = \chain_i$118 [56:38];
-  assign \chain_o$119[3]  = \chain_i$118 [75:57];
-  assign \write$122.addr  = \$70 ;
-  assign \write$122.data  = \$72 [519:448];
-  assign \control$124.en  = control3[0];
-  assign \control$124.first  = control3[1];
-  assign \control$124.last  = control3[2];
-  assign \control$124.edge  = control3[3];
-  assign \control$124.tile  = control3[7:4];
-  assign \chain_o$126[0]  = \chain_o$126 [18:0];
-  assign \chain_o$126[1]  = \chain_o$126 [37:19];
-  assign \chain_o$126[2]  = \chain_o$126 [56:38];
-  assign \chain_o$126[3]  = \chain_o$126 [75:57];
-  assign \chain_i$127[0]  = \chain_i$127 [18:0];
-  assign \chain_i$127[1]  = \chain_i$127 [37:19];
-  assign \chain_i$127[2]  = \chain_i$127 [56:38];
-  assign \chain_i$127[3]  = \chain_i$127 [75:57];
-  assign \chain_o$128[0]  = \chain_i$127 [18:0];
-  assign \chain_o$128[1]  = \chain_i$127 [37:19];
-  assign \chain_o$128[2]  = \chain_i$127 [56:38];
-  assign \chain_o$128[3]  = \chain_i$127 [75:57];
-  assign \write$131.addr  = \$70 ;
-  assign \write$131.data  = \$72 [519:448];
-  assign \control$133.en  = control3[0];
-  assign \control$133.first  = control3[1];
-  assign \control$133.last  = control3[2];
-  assign \control$133.edge  = control3[3];
-  assign \control$133.tile  = control3[7:4];
-  assign \chain_i$135[0]  = \chain_i$135 [18:0];
-  assign \chain_i$135[1]  = \chain_i$135 [37:19];
-  assign \chain_i$135[2]  = \chain_i$135 [56:38];
-  assign \chain_i$135[3]  = \chain_i$135 [75:57];
-  assign \chain_o$136[0]  = \chain_i$135 [18:0];
-  assign \chain_o$136[1]  = \chain_i$135 [37:19];
-  assign \chain_o$136[2]  = \chain_i$135 [56:38];
-  assign \chain_o$136[3]  = \chain_i$135 [75:57];
-  assign \write$139.addr  = \$70 ;
-  assign \write$139.data  = \$72 [519:448];
-  assign \control$141.en  = control3[0];
-  assign \control$141.first  = control3[1];
-  assign \control$141.last  = control3[2];
-  assign \control$141.edge  = control3[3];
-  assign \control$141.tile  = control3[7:4];
-  assign \chain_i$143[0]  = \chain_i$143 [18:0];
-  assign \chain_i$143[1]  = \chain_i$143 [37:19];
-  assign \chain_i$143[2]  = \chain_i$143 [56:38];
-  assign \chain_i$143[3]  = \chain_i$143 [75:57];
-  assign \chain_o$144[0]  = \chain_i$143 [18:0];
-  assign \chain_o$144[1]  = \chain_i$143 [37:19];
-  assign \chain_o$144[2]  = \chain_i$143 [56:38];
-  assign \chain_o$144[3]  = \chain_i$143 [75:57];
-  assign \write$147.addr  = \$70 ;
-  assign \write$147.data  = \$72 [519:448];
-  assign \control$149.en  = control3[0];
-  assign \control$149.first  = control3[1];
-  assign \control$149.last  = control3[2];
-  assign \control$149.edge  = control3[3];
-  assign \control$149.tile  = control3[7:4];
-  assign \chain_i$151[0]  = \chain_i$151 [18:0];
-  assign \chain_i$151[1]  = \chain_i$151 [37:19];
-  assign \chain_i$151[2]  = \chain_i$151 [56:38];
-  assign \chain_i$151[3]  = \chain_i$151 [75:57];
-  assign \chain_o$152[0]  = \chain_i$151 [18:0];
-  assign \chain_o$152[1]  = \chain_i$151 [37:19];
-  assign \chain_o$152[2]  = \chain_i$151 [56:38];
-  assign \chain_o$152[3]  = \chain_i$151 [75:57];
-  assign \write$155.addr  = \$70 ;
-  assign \write$155.data  = \$72 [519:448];
-  assign \control$157.en  = control3[0];
-  assign \control$157.first  = control3[1];
-  assign \control$157.last  = control3[2];
-  assign \control$157.edge  = control3[3];
-  assign \control$157.tile  = control3[7:4];
-  assign \chain_i$159[0]  = \chain_i$159 [18:0];
-  assign \chain_i$159[1]  = \chain_i$159 [37:19];
-  assign \chain_i$159[2]  = \chain_i$159 [56:38];
-  assign \chain_i$159[3]  = \chain_i$159 [75:57];
-  assign \chain_o$160[0]  = \chain_i$159 [18:0];
-  assign \chain_o$160[1]  = \chain_i$159 [37:19];
-  assign \chain_o$160[2]  = \chain_i$159 [56:38];
-  assign \chain_o$160[3]  = \chain_i$159 [75:57];
-  assign \write$163.addr  = \$70 ;
-  assign \write$163.data  = \$72 [519:448];
-  assign \control$165.en  = control3[0];
-  assign \control$165.first  = control3[1];
-  assign \control$165.last  = control3[2];
-  assign \control$165.edge  = control3[3];
-  assign \control$165.tile  = control3[7:4];
-  assign \chain_i$167[0]  = \chain_i$167 [18:0];
-  assign \chain_i$167[1]  = \chain_i$167 [37:19];
-  assign \chain_i$167[2]  = \chain_i$167 [56:38];
-  assign \chain_i$167[3]  = \chain_i$167 [75:57];
-  assign \chain_o$168[0]  = \chain_i$167 [18:0];
-  assign \chain_o$168[1]  = \chain_i$167 [37:19];
-  assign \chain_o$168[2]  = \chain_i$167 [56:38];
-  assign \chain_o$168[3]  = \chain_i$167 [75:57];
-  assign \write$171.addr  = \$70 ;
-  assign \write$171.data  = \$72 [519:448];
-  assign \control$173.en  = control3[0];
-  assign \control$173.first  = control3[1];
-  assign \control$173.last  = control3[2];
-  assign \control$173.edge  = control3[3];
-  assign \control$173.tile  = control3[7:4];
-  assign \chain_i$175[0]  = \chain_i$175 [18:0];
-  assign \chain_i$175[1]  = \chain_i$175 [37:19];
-  assign \chain_i$175[2]  = \chain_i$175 [56:38];
-  assign \chain_i$175[3]  = \chain_i$175 [75:57];
-  assign \chain_o$176[0]  = \chain_i$175 [18:0];
-  assign \chain_o$176[1]  = \chain_i$175 [37:19];
-  assign \chain_o$176[2]  = \chain_i$175 [56:38];
-  assign \chain_o$176[3]  = \chain_i$175 [75:57];
-  assign \write$179.addr  = \$70 ;
-  assign \write$179.data  = \$72 [519:448];
-  assign \control$181.en  = control3[0];
-  assign \control$181.first  = control3[1];
-  assign \control$181.last  = control3[2];
-  assign \control$181.edge  = control3[3];
-  assign \control$181.tile  = control3[7:4];
-  assign \chain_i$183[0]  = \chain_i$183 [18:0];
-  assign \chain_i$183[1]  = \chain_i$183 [37:19];
-  assign \chain_i$183[2]  = \chain_i$183 [56:38];
-  assign \chain_i$183[3]  = \chain_i$183 [75:57];
-  assign \chain_o$184[0]  = \chain_i$183 [18:0];
-  assign \chain_o$184[1]  = \chain_i$183 [37:19];
-  assign \chain_o$184[2]  = \chain_i$183 [56:38];
-  assign \chain_o$184[3]  = \chain_i$183 [75:57];
-  assign \write$187.addr  = \$70 ;
-  assign \write$187.data  = \$72 [519:448];
-  assign \control$189.en  = control3[0];
-  assign \control$189.first  = control3[1];
-  assign \control$189.last  = control3[2];
-  assign \control$189.edge  = control3[3];
-  assign \control$189.tile  = control3[7:4];
-  assign \chain_i$191[0]  = \chain_i$191 [18:0];
-  assign \chain_i$191[1]  = \chain_i$191 [37:19];
-  assign \chain_i$191[2]  = \chain_i$191 [56:38];
-  assign \chain_i$191[3]  = \chain_i$191 [75:57];
-  assign \chain_o$192[0]  = \chain_i$191 [18:0];
-  assign \chain_o$192[1]  = \chain_i$191 [37:19];
-  assign \chain_o$192[2]  = \chain_i$191 [56:38];
-  assign \chain_o$192[3]  = \chain_i$191 [75:57];
-  assign \write$195.addr  = \$70 ;
-  assign \write$195.data  = \$72 [519:448];
-  assign \control$197.en  = control3[0];
-  assign \control$197.first  = control3[1];
-  assign \control$197.last  = control3[2];
-  assign \control$197.edge  = control3[3];
-  assign \control$197.tile  = control3[7:4];
-  assign \chain_i$199[0]  = \chain_i$199 [18:0];
-  assign \chain_i$199[1]  = \chain_i$199 [37:19];
-  assign \chain_i$199[2]  = \chain_i$199 [56:38];
-  assign \chain_i$199[3]  = \chain_i$199 [75:57];
-  assign \chain_o$200[0]  = \chain_i$199 [18:0];
-  assign \chain_o$200[1]  = \chain_i$199 [37:19];
-  assign \chain_o$200[2]  = \chain_i$199 [56:38];
-  assign \chain_o$200[3]  = \chain_i$199 [75:57];
-  assign \write$203.addr  = \$70 ;
-  assign \write$203.data  = \$72 [519:448];
-  assign \control$205.en  = control3[0];
-  assign \control$205.first  = control3[1];
-  assign \control$205.last  = control3[2];
-  assign \control$205.edge  = control3[3];
-  assign \control$205.tile  = control3[7:4];
-  assign \chain_i$207[0]  = \chain_i$207 [18:0];
-  assign \chain_i$207[1]  = \chain_i$207 [37:19];
-  assign \chain_i$207[2]  = \chain_i$207 [56:38];
-  assign \chain_i$207[3]  = \chain_i$207 [75:57];
-  assign \chain_o$208[0]  = \chain_i$207 [18:0];
-  assign \chain_o$208[1]  = \chain_i$207 [37:19];
-  assign \chain_o$208[2]  = \chain_i$207 [56:38];
-  assign \chain_o$208[3]  = \chain_i$207 [75:57];
-  assign \write$211.addr  = \$70 ;
-  assign \write$211.data  = \$72 [519:448];
-  assign \control$213.en  = control3[0];
-  assign \control$213.first  = control3[1];
-  assign \control$213.last  = control3[2];
-  assign \control$213.edge  = control3[3];
-  assign \control$213.tile  = control3[7:4];
-  assign \chain_i$215[0]  = \chain_i$215 [18:0];
-  assign \chain_i$215[1]  = \chain_i$215 [37:19];
-  assign \chain_i$215[2]  = \chain_i$215 [56:38];
-  assign \chain_i$215[3]  = \chain_i$215 [75:57];
-  assign \chain_o$216[0]  = \chain_i$215 [18:0];
-  assign \chain_o$216[1]  = \chain_i$215 [37:19];
-  assign \chain_o$216[2]  = \chain_i$215 [56:38];
-  assign \chain_o$216[3]  = \chain_i$215 [75:57];
-  assign \write$219.addr  = \$70 ;
-  assign \write$219.data  = \$72 [519:448];
-  assign \control$221.en  = control3[0];
-  assign \control$221.first  = control3[1];
-  assign \control$221.last  = control3[2];
-  assign \control$221.edge  = control3[3];
-  assign \control$221.tile  = control3[7:4];
-  assign \chain_i$223[0]  = \chain_i$223 [18:0];
-  assign \chain_i$223[1]  = \chain_i$223 [37:19];
-  assign \chain_i$223[2]  = \chain_i$223 [56:38];
-  assign \chain_i$223[3]  = \chain_i$223 [75:57];
-  assign \chain_o$224[0]  = \chain_i$223 [18:0];
-  assign \chain_o$224[1]  = \chain_i$223 [37:19];
-  assign \chain_o$224[2]  = \chain_i$223 [56:38];
-  assign \chain_o$224[3]  = \chain_i$223 [75:57];
-  assign \write$227.addr  = \$70 ;
-  assign \write$227.data  = \$72 [519:448];
-  assign \control$229.en  = control3[0];
-  assign \control$229.first  = control3[1];
-  assign \control$229.last  = control3[2];
-  assign \control$229.edge  = control3[3];
-  assign \control$229.tile  = control3[7:4];
-  assign \chain_i$231[0]  = \chain_i$231 [18:0];
-  assign \chain_i$231[1]  = \chain_i$231 [37:19];
-  assign \chain_i$231[2]  = \chain_i$231 [56:38];
-  assign \chain_i$231[3]  = \chain_i$231 [75:57];
-  assign \chain_o$232[0]  = \chain_i$231 [18:0];
-  assign \chain_o$232[1]  = \chain_i$231 [37:19];
-  assign \chain_o$232[2]  = \chain_i$231 [56:38];
-  assign \chain_o$232[3]  = \chain_i$231 [75:57];
-  assign \write$235.addr  = \$70 ;
-  assign \write$235.data  = \$72 [519:448];
-  assign \control$237.en  = control3[0];
-  assign \control$237.first  = control3[1];
-  assign \control$237.last  = control3[2];
-  assign \control$237.edge  = control3[3];
-  assign \control$237.tile  = control3[7:4];
-  assign \chain_i$239[0]  = \chain_i$239 [18:0];
-  assign \chain_i$239[1]  = \chain_i$239 [37:19];
-  assign \chain_i$239[2]  = \chain_i$239 [56:38];
-  assign \chain_i$239[3]  = \chain_i$239 [75:57];
-  assign \chain_o$240[0]  = \chain_i$239 [18:0];
-  assign \chain_o$240[1]  = \chain_i$239 [37:19];
-  assign \chain_o$240[2]  = \chain_i$239 [56:38];
-  assign \chain_o$240[3]  = \chain_i$239 [75:57];
-  assign \write$243.addr  = \$70 ;
-  assign \write$243.data  = \$72 [519:448];
-  assign \control$245.en  = control3[0];
-  assign \control$245.first  = control3[1];
-  assign \control$245.last  = control3[2];
-  assign \control$245.edge  = control3[3];
-  assign \control$245.tile  = control3[7:4];
-  assign \chain_i$247[0]  = \chain_i$247 [18:0];
-  assign \chain_i$247[1]  = \chain_i$247 [37:19];
-  assign \chain_i$247[2]  = \chain_i$247 [56:38];
-  assign \chain_i$247[3]  = \chain_i$247 [75:57];
-  assign \chain_o$248[0]  = \chain_i$247 [18:0];
-  assign \chain_o$248[1]  = \chain_i$247 [37:19];
-  assign \chain_o$248[2]  = \chain_i$247 [56:38];
-  assign \chain_o$248[3]  = \chain_i$247 [75:57];
-  assign \write$251.addr  = \$70 ;
-  assign \write$251.data  = \$72 [519:448];
-  assign \control$253.en  = control3[0];
-  assign \control$253.first  = control3[1];
-  assign \control$253.last  = control3[2];
-  assign \control$253.edge  = control3[3];
-  assign \control$253.tile  = control3[7:4];
-  assign \chain_i$255[0]  = \chain_i$255 [18:0];
-  assign \chain_i$255[1]  = \chain_i$255 [37:19];
-  assign \chain_i$255[2]  = \chain_i$255 [56:38];
-  assign \chain_i$255[3]  = \chain_i$255 [75:57];
-  assign \chain_o$256[0]  = \chain_i$255 [18:0];
-  assign \chain_o$256[1]  = \chain_i$255 [37:19];
-  assign \chain_o$256[2]  = \chain_i$255 [56:38];
-  assign \chain_o$256[3]  = \chain_i$255 [75:57];
-  assign \write$259.addr  = \$70 ;
-  assign \write$259.data  = \$72 [519:448];
-  assign \control$261.en  = control3[0];
-  assign \control$261.first  = control3[1];
-  assign \control$261.last  = control3[2];
-  assign \control$261.edge  = control3[3];
-  assign \control$261.tile  = control3[7:4];
-  assign \chain_i$263[0]  = \chain_i$263 [18:0];
-  assign \chain_i$263[1]  = \chain_i$263 [37:19];
-  assign \chain_i$263[2]  = \chain_i$263 [56:38];
-  assign \chain_i$263[3]  = \chain_i$263 [75:57];
-  assign \chain_o$264[0]  = \chain_i$263 [18:0];
-  assign \chain_o$264[1]  = \chain_i$263 [37:19];
-  assign \chain_o$264[2]  = \chain_i$263 [56:38];
-  assign \chain_o$264[3]  = \chain_i$263 [75:57];
-  assign \write$267.addr  = \$70 ;
-  assign \write$267.data  = \$72 [519:448];
-  assign \control$269.en  = control3[0];
-  assign \control$269.first  = control3[1];
-  assign \control$269.last  = control3[2];
-  assign \control$269.edge  = control3[3];
-  assign \control$269.tile  = control3[7:4];
-  assign \chain_i$271[0]  = \chain_i$271 [18:0];
-  assign \chain_i$271[1]  = \chain_i$271 [37:19];
-  assign \chain_i$271[2]  = \chain_i$271 [56:38];
-  assign \chain_i$271[3]  = \chain_i$271 [75:57];
-  assign \chain_o$272[0]  = \chain_i$271 [18:0];
-  assign \chain_o$272[1]  = \chain_i$271 [37:19];
-  assign \chain_o$272[2]  = \chain_i$271 [56:38];
-  assign \chain_o$272[3]  = \chain_i$271 [75:57];
-  assign \write$275.addr  = \$70 ;
-  assign \write$275.data  = \$72 [519:448];
-  assign \control$277.en  = control3[0];
-  assign \control$277.first  = control3[1];
-  assign \control$277.last  = control3[2];
-  assign \control$277.edge  = control3[3];
-  assign \control$277.tile  = control3[7:4];
-  assign \chain_i$279[0]  = \chain_i$279 [18:0];
-  assign \chain_i$279[1]  = \chain_i$279 [37:19];
-  assign \chain_i$279[2]  = \chain_i$279 [56:38];
-  assign \chain_i$279[3]  = \chain_i$279 [75:57];
-  assign \chain_o$280[0]  = \chain_i$279 [18:0];
-  assign \chain_o$280[1]  = \chain_i$279 [37:19];
-  assign \chain_o$280[2]  = \chain_i$279 [56:38];
-  assign \chain_o$280[3]  = \chain_i$279 [75:57];
-  assign \write$283.addr  = \$70 ;
-  assign \write$283.data  = \$72 [519:448];
-  assign \control$285.en  = control3[0];
-  assign \control$285.first  = control3[1];
-  assign \control$285.last  = control3[2];
-  assign \control$285.edge  = control3[3];
-  assign \control$285.tile  = control3[7:4];
-  assign \chain_i$287[0]  = \chain_i$287 [18:0];
-  assign \chain_i$287[1]  = \chain_i$287 [37:19];
-  assign \chain_i$287[2]  = \chain_i$287 [56:38];
-  assign \chain_i$287[3]  = \chain_i$287 [75:57];
-  assign \chain_o$288[0]  = \chain_i$287 [18:0];
-  assign \chain_o$288[1]  = \chain_i$287 [37:19];
-  assign \chain_o$288[2]  = \chain_i$287 [56:38];
-  assign \chain_o$288[3]  = \chain_i$287 [75:57];
-  assign \write$291.addr  = \$70 ;
-  assign \write$291.data  = \$72 [519:448];
-  assign \control$293.en  = control3[0];
-  assign \control$293.first  = control3[1];
-  assign \control$293.last  = control3[2];
-  assign \control$293.edge  = control3[3];
-  assign \control$293.tile  = control3[7:4];
-  assign \chain_i$295[0]  = \chain_i$295 [18:0];
-  assign \chain_i$295[1]  = \chain_i$295 [37:19];
-  assign \chain_i$295[2]  = \chain_i$295 [56:38];
-  assign \chain_i$295[3]  = \chain_i$295 [75:57];
-  assign \chain_o$296[0]  = \chain_i$295 [18:0];
-  assign \chain_o$296[1]  = \chain_i$295 [37:19];
-  assign \chain_o$296[2]  = \chain_i$295 [56:38];
-  assign \chain_o$296[3]  = \chain_i$295 [75:57];
-  assign \write$299.addr  = \$70 ;
-  assign \write$299.data  = \$72 [519:448];
-  assign \control$301.en  = control3[0];
-  assign \control$301.first  = control3[1];
-  assign \control$301.last  = control3[2];
-  assign \control$301.edge  = control3[3];
-  assign \control$301.tile  = control3[7:4];
-  assign \chain_i$303[0]  = \chain_i$303 [18:0];
-  assign \chain_i$303[1]  = \chain_i$303 [37:19];
-  assign \chain_i$303[2]  = \chain_i$303 [56:38];
-  assign \chain_i$303[3]  = \chain_i$303 [75:57];
-  assign \chain_o$304[0]  = \chain_i$303 [18:0];
-  assign \chain_o$304[1]  = \chain_i$303 [37:19];
-  assign \chain_o$304[2]  = \chain_i$303 [56:38];
-  assign \chain_o$304[3]  = \chain_i$303 [75:57];
-  assign \write$307.addr  = \$70 ;
-  assign \write$307.data  = \$72 [519:448];
-  assign \control$309.en  = control3[0];
-  assign \control$309.first  = control3[1];
-  assign \control$309.last  = control3[2];
-  assign \control$309.edge  = control3[3];
-  assign \control$309.tile  = control3[7:4];
-  assign \chain_i$311[0]  = \chain_i$311 [18:0];
-  assign \chain_i$311[1]  = \chain_i$311 [37:19];
-  assign \chain_i$311[2]  = \chain_i$311 [56:38];
-  assign \chain_i$311[3]  = \chain_i$311 [75:57];
-  assign \chain_o$312[0]  = \chain_i$311 [18:0];
-  assign \chain_o$312[1]  = \chain_i$311 [37:19];
-  assign \chain_o$312[2]  = \chain_i$311 [56:38];
-  assign \chain_o$312[3]  = \chain_i$311 [75:57];
-  assign \write$315.addr  = \$70 ;
-  assign \write$315.data  = \$72 [519:448];
-  assign \control$317.en  = control3[0];
-  assign \control$317.first  = control3[1];
-  assign \control$317.last  = control3[2];
-  assign \control$317.edge  = control3[3];
-  assign \control$317.tile  = control3[7:4];
-  assign \chain_i$319[0]  = \chain_i$319 [18:0];
-  assign \chain_i$319[1]  = \chain_i$319 [37:19];
-  assign \chain_i$319[2]  = \chain_i$319 [56:38];
-  assign \chain_i$319[3]  = \chain_i$319 [75:57];
-  assign \chain_o$320[0]  = \chain_i$319 [18:0];
-  assign \chain_o$320[1]  = \chain_i$319 [37:19];
-  assign \chain_o$320[2]  = \chain_i$319 [56:38];
-  assign \chain_o$320[3]  = \chain_i$319 [75:57];
-  assign \write$323.addr  = \$70 ;
-  assign \write$323.data  = \$72 [519:448];
-  assign \control$325.en  = control3[0];
-  assign \control$325.first  = control3[1];
-  assign \control$325.last  = control3[2];
-  assign \control$325.edge  = control3[3];
-  assign \control$325.tile  = control3[7:4];
-  assign \chain_i$327[0]  = \chain_i$327 [18:0];
-  assign \chain_i$327[1]  = \chain_i$327 [37:19];
-  assign \chain_i$327[2]  = \chain_i$327 [56:38];
-  assign \chain_i$327[3]  = \chain_i$327 [75:57];
-  assign \chain_o$328[0]  = \chain_i$327 [18:0];
-  assign \chain_o$328[1]  = \chain_i$327 [37:19];
-  assign \chain_o$328[2]  = \chain_i$327 [56:38];
-  assign \chain_o$328[3]  = \chain_i$327 [75:57];
-  assign \write$331.addr  = \$70 ;
-  assign \write$331.data  = \$72 [519:448];
-  assign \control$333.en  = control3[0];
-  assign \control$333.first  = control3[1];
-  assign \control$333.last  = control3[2];
-  assign \control$333.edge  = control3[3];
-  assign \control$333.tile  = control3[7:4];
-  assign \chain_i$335[0]  = \chain_i$335 [18:0];
-  assign \chain_i$335[1]  = \chain_i$335 [37:19];
-  assign \chain_i$335[2]  = \chain_i$335 [56:38];
-  assign \chain_i$335[3]  = \chain_i$335 [75:57];
-  assign \chain_o$336[0]  = \chain_i$335 [18:0];
-  assign \chain_o$336[1]  = \chain_i$335 [37:19];
-  assign \chain_o$336[2]  = \chain_i$335 [56:38];
-  assign \chain_o$336[3]  = \chain_i$335 [75:57];
-  assign \write$339.addr  = \$70 ;
-  assign \write$339.data  = \$72 [519:448];
-  assign \control$341.en  = control3[0];
-  assign \control$341.first  = control3[1];
-  assign \control$341.last  = control3[2];
-  assign \control$341.edge  = control3[3];
-  assign \control$341.tile  = control3[7:4];
-  assign \chain_i$343[0]  = \chain_i$343 [18:0];
-  assign \chain_i$343[1]  = \chain_i$343 [37:19];
-  assign \chain_i$343[2]  = \chain_i$343 [56:38];
-  assign \chain_i$343[3]  = \chain_i$343 [75:57];
-  assign \chain_o$344[0]  = \chain_i$343 [18:0];
-  assign \chain_o$344[1]  = \chain_i$343 [37:19];
-  assign \chain_o$344[2]  = \chain_i$343 [56:38];
-  assign \chain_o$344[3]  = \chain_i$343 [75:57];
-  assign \write$347.addr  = \$70 ;
-  assign \write$347.data  = \$72 [519:448];
-  assign \control$349.en  = control3[0];
-  assign \control$349.first  = control3[1];
-  assign \control$349.last  = control3[2];
-  assign \control$349.edge  = control3[3];
-  assign \control$349.tile  = control3[7:4];
-  assign \chain_i$351[0]  = \chain_i$351 [18:0];
-  assign \chain_i$351[1]  = \chain_i$351 [37:19];
-  assign \chain_i$351[2]  = \chain_i$351 [56:38];
-  assign \chain_i$351[3]  = \chain_i$351 [75:57];
-  assign \chain_o$352[0]  = \chain_i$351 [18:0];
-  assign \chain_o$352[1]  = \chain_i$351 [37:19];
-  assign \chain_o$352[2]  = \chain_i$351 [56:38];
-  assign \chain_o$352[3]  = \chain_i$351 [75:57];
-  assign \write$355.addr  = \$70 ;
-  assign \write$355.data  = \$72 [519:448];
-  assign \control$357.en  = control3[0];
-  assign \control$357.first  = control3[1];
-  assign \control$357.last  = control3[2];
-  assign \control$357.edge  = control3[3];
-  assign \control$357.tile  = control3[7:4];
-  assign \chain_i$359[0]  = \chain_i$359 [18:0];
-  assign \chain_i$359[1]  = \chain_i$359 [37:19];
-  assign \chain_i$359[2]  = \chain_i$359 [56:38];
-  assign \chain_i$359[3]  = \chain_i$359 [75:57];
-  assign \chain_o$360[0]  = \chain_i$359 [18:0];
-  assign \chain_o$360[1]  = \chain_i$359 [37:19];
-  assign \chain_o$360[2]  = \chain_i$359 [56:38];
-  assign \chain_o$360[3]  = \chain_i$359 [75:57];
-  assign \write$363.addr  = \$70 ;
-  assign \write$363.data  = \$72 [519:448];
-  assign \control$365.en  = control3[0];
-  assign \control$365.first  = control3[1];
-  assign \control$365.last  = control3[2];
-  assign \control$365.edge  = control3[3];
-  assign \control$365.tile  = control3[7:4];
-  assign \chain_i$367[0]  = \chain_i$367 [18:0];
-  assign \chain_i$367[1]  = \chain_i$367 [37:19];
-  assign \chain_i$367[2]  = \chain_i$367 [56:38];
-  assign \chain_i$367[3]  = \chain_i$367 [75:57];
-  assign \chain_o$368[0]  = \chain_i$367 [18:0];
-  assign \chain_o$368[1]  = \chain_i$367 [37:19];
-  assign \chain_o$368[2]  = \chain_i$367 [56:38];
-  assign \chain_o$368[3]  = \chain_i$367 [75:57];
-  assign \write$371.addr  = \$70 ;
-  assign \write$371.data  = \$72 [519:448];
-  assign \control$373.en  = control3[0];
-  assign \control$373.first  = control3[1];
-  assign \control$373.last  = control3[2];
-  assign \control$373.edge  = control3[3];
-  assign \control$373.tile  = control3[7:4];
-  assign \chain_i$375[0]  = \chain_i$375 [18:0];
-  assign \chain_i$375[1]  = \chain_i$375 [37:19];
-  assign \chain_i$375[2]  = \chain_i$375 [56:38];
-  assign \chain_i$375[3]  = \chain_i$375 [75:57];
-  assign \chain_o$376[0]  = \chain_i$375 [18:0];
-  assign \chain_o$376[1]  = \chain_i$375 [37:19];
-  assign \chain_o$376[2]  = \chain_i$375 [56:38];
-  assign \chain_o$376[3]  = \chain_i$375 [75:57];
-  assign \write$379.addr  = \$70 ;
-  assign \write$379.data  = \$72 [519:448];
-  assign \control$381.en  = control3[0];
-  assign \control$381.first  = control3[1];
-  assign \control$381.last  = control3[2];
-  assign \control$381.edge  = control3[3];
-  assign \control$381.tile  = control3[7:4];
-  assign \chain_i$383[0]  = \chain_i$383 [18:0];
-  assign \chain_i$383[1]  = \chain_i$383 [37:19];
-  assign \chain_i$383[2]  = \chain_i$383 [56:38];
-  assign \chain_i$383[3]  = \chain_i$383 [75:57];
-  assign \chain_o$384[0]  = \chain_i$383 [18:0];
-  assign \chain_o$384[1]  = \chain_i$383 [37:19];
-  assign \chain_o$384[2]  = \chain_i$383 [56:38];
-  assign \chain_o$384[3]  = \chain_i$383 [75:57];
-  assign \write$387.addr  = \$70 ;
-  assign \write$387.data  = \$72 [519:448];
-  assign \control$389.en  = control3[0];
-  assign \control$389.first  = control3[1];
-  assign \control$389.last  = control3[2];
-  assign \control$389.edge  = control3[3];
-  assign \control$389.tile  = control3[7:4];
-  assign \chain_i$391[0]  = \chain_i$391 [18:0];
-  assign \chain_i$391[1]  = \chain_i$391 [37:19];
-  assign \chain_i$391[2]  = \chain_i$391 [56:38];
-  assign \chain_i$391[3]  = \chain_i$391 [75:57];
-  assign \chain_o$392[0]  = \chain_i$391 [18:0];
-  assign \chain_o$392[1]  = \chain_i$391 [37:19];
-  assign \chain_o$392[2]  = \chain_i$391 [56:38];
-  assign \chain_o$392[3]  = \chain_i$391 [75:57];
-  assign \write$395.addr  = \$70 ;
-  assign \write$395.data  = \$72 [519:448];
-  assign \control$397.en  = control3[0];
-  assign \control$397.first  = control3[1];
-  assign \control$397.last  = control3[2];
-  assign \control$397.edge  = control3[3];
-  assign \control$397.tile  = control3[7:4];
-  assign \chain_i$399[0]  = \chain_i$399 [18:0];
-  assign \chain_i$399[1]  = \chain_i$399 [37:19];
-  assign \chain_i$399[2]  = \chain_i$399 [56:38];
-  assign \chain_i$399[3]  = \chain_i$399 [75:57];
-  assign \chain_o$400[0]  = \chain_i$399 [18:0];
-  assign \chain_o$400[1]  = \chain_i$399 [37:19];
-  assign \chain_o$400[2]  = \chain_i$399 [56:38];
-  assign \chain_o$400[3]  = \chain_i$399 [75:57];
-  assign \write$403.addr  = \$70 ;
-  assign \write$403.data  = \$72 [519:448];
-  assign \control$405.en  = control3[0];
-  assign \control$405.first  = control3[1];
-  assign \control$405.last  = control3[2];
-  assign \control$405.edge  = control3[3];
-  assign \control$405.tile  = control3[7:4];
-  assign \chain_i$407[0]  = \chain_i$407 [18:0];
-  assign \chain_i$407[1]  = \chain_i$407 [37:19];
-  assign \chain_i$407[2]  = \chain_i$407 [56:38];
-  assign \chain_i$407[3]  = \chain_i$407 [75:57];
-  assign \chain_o$408[0]  = \chain_i$407 [18:0];
-  assign \chain_o$408[1]  = \chain_i$407 [37:19];
-  assign \chain_o$408[2]  = \chain_i$407 [56:38];
-  assign \chain_o$408[3]  = \chain_i$407 [75:57];
-  assign \write$411.addr  = \$70 ;
-  assign \write$411.data  = \$72 [519:448];
-  assign \control$413.en  = control3[0];
-  assign \control$413.first  = control3[1];
-  assign \control$413.last  = control3[2];
-  assign \control$413.edge  = control3[3];
-  assign \control$413.tile  = control3[7:4];
-  assign \chain_i$415[0]  = \chain_i$415 [18:0];
-  assign \chain_i$415[1]  = \chain_i$415 [37:19];
-  assign \chain_i$415[2]  = \chain_i$415 [56:38];
-  assign \chain_i$415[3]  = \chain_i$415 [75:57];
-  assign \chain_o$416[0]  = \chain_i$415 [18:0];
-  assign \chain_o$416[1]  = \chain_i$415 [37:19];
-  assign \chain_o$416[2]  = \chain_i$415 [56:38];
-  assign \chain_o$416[3]  = \chain_i$415 [75:57];
-  assign \write$419.addr  = \$70 ;
-  assign \write$419.data  = \$72 [519:448];
-  assign \control$421.en  = control3[0];
-  assign \control$421.first  = control3[1];
-  assign \control$421.last  = control3[2];
-  assign \control$421.edge  = control3[3];
-  assign \control$421.tile  = control3[7:4];
-  assign \chain_i$423[0]  = \chain_i$423 [18:0];
-  assign \chain_i$423[1]  = \chain_i$423 [37:19];
-  assign \chain_i$423[2]  = \chain_i$423 [56:38];
-  assign \chain_i$423[3]  = \chain_i$423 [75:57];
-  assign \chain_o$424[0]  = \chain_i$423 [18:0];
-  assign \chain_o$424[1]  = \chain_i$423 [37:19];
-  assign \chain_o$424[2]  = \chain_i$423 [56:38];
-  assign \chain_o$424[3]  = \chain_i$423 [75:57];
-  assign \write$427.addr  = \$70 ;
-  assign \write$427.data  = \$72 [519:448];
-  assign \control$429.en  = control3[0];
-  assign \control$429.first  = control3[1];
-  assign \control$429.last  = control3[2];
-  assign \control$429.edge  = control3[3];
-  assign \control$429.tile  = control3[7:4];
-  assign \chain_i$431[0]  = \chain_i$431 [18:0];
-  assign \chain_i$431[1]  = \chain_i$431 [37:19];
-  assign \chain_i$431[2]  = \chain_i$431 [56:38];
-  assign \chain_i$431[3]  = \chain_i$431 [75:57];
-  assign \chain_o$432[0]  = \chain_i$431 [18:0];
-  assign \chain_o$432[1]  = \chain_i$431 [37:19];
-  assign \chain_o$432[2]  = \chain_i$431 [56:38];
-  assign \chain_o$432[3]  = \chain_i$431 [75:57];
-  assign \write$435.addr  = \$70 ;
-  assign \write$435.data  = \$72 [519:448];
-  assign \control$437.en  = control3[0];
-  assign \control$437.first  = control3[1];
-  assign \control$437.last  = control3[2];
-  assign \control$437.edge  = control3[3];
-  assign \control$437.tile  = control3[7:4];
-  assign \chain_i$439[0]  = \chain_i$439 [18:0];
-  assign \chain_i$439[1]  = \chain_i$439 [37:19];
-  assign \chain_i$439[2]  = \chain_i$439 [56:38];
-  assign \chain_i$439[3]  = \chain_i$439 [75:57];
-  assign \chain_o$440[0]  = \chain_i$439 [18:0];
-  assign \chain_o$440[1]  = \chain_i$439 [37:19];
-  assign \chain_o$440[2]  = \chain_i$439 [56:38];
-  assign \chain_o$440[3]  = \chain_i$439 [75:57];
-  assign \write$443.addr  = \$70 ;
-  assign \write$443.data  = \$72 [519:448];
-  assign \control$445.en  = control3[0];
-  assign \control$445.first  = control3[1];
-  assign \control$445.last  = control3[2];
-  assign \control$445.edge  = control3[3];
-  assign \control$445.tile  = control3[7:4];
-  assign \chain_i$447[0]  = \chain_i$447 [18:0];
-  assign \chain_i$447[1]  = \chain_i$447 [37:19];
-  assign \chain_i$447[2]  = \chain_i$447 [56:38];
-  assign \chain_i$447[3]  = \chain_i$447 [75:57];
-  assign \chain_o$448[0]  = \chain_i$447 [18:0];
-  assign \chain_o$448[1]  = \chain_i$447 [37:19];
-  assign \chain_o$448[2]  = \chain_i$447 [56:38];
-  assign \chain_o$448[3]  = \chain_i$447 [75:57];
-  assign \write$451.addr  = \$70 ;
-  assign \write$451.data  = \$72 [519:448];
-  assign \control$453.en  = control3[0];
-  assign \control$453.first  = control3[1];
-  assign \control$453.last  = control3[2];
-  assign \control$453.edge  = control3[3];
-  assign \control$453.tile  = control3[7:4];
-  assign \chain_i$455[0]  = \chain_i$455 [18:0];
-  assign \chain_i$455[1]  = \chain_i$455 [37:19];
-  assign \chain_i$455[2]  = \chain_i$455 [56:38];
-  assign \chain_i$455[3]  = \chain_i$455 [75:57];
-  assign \chain_o$456[0]  = \chain_i$455 [18:0];
-  assign \chain_o$456[1]  = \chain_i$455 [37:19];
-  assign \chain_o$456[2]  = \chain_i$455 [56:38];
-  assign \chain_o$456[3]  = \chain_i$455 [75:57];
-  assign \write$459.addr  = \$70 ;
-  assign \write$459.data  = \$72 [519:448];
-  assign \control$461.en  = control3[0];
-  assign \control$461.first  = control3[1];
-  assign \control$461.last  = control3[2];
-  assign \control$461.edge  = control3[3];
-  assign \control$461.tile  = control3[7:4];
-  assign \chain_i$463[0]  = \chain_i$463 [18:0];
-  assign \chain_i$463[1]  = \chain_i$463 [37:19];
-  assign \chain_i$463[2]  = \chain_i$463 [56:38];
-  assign \chain_i$463[3]  = \chain_i$463 [75:57];
-  assign \chain_o$464[0]  = \chain_i$463 [18:0];
-  assign \chain_o$464[1]  = \chain_i$463 [37:19];
-  assign \chain_o$464[2]  = \chain_i$463 [56:38];
-  assign \chain_o$464[3]  = \chain_i$463 [75:57];
-  assign \write$467.addr  = \$70 ;
-  assign \write$467.data  = \$72 [519:448];
-  assign \control$469.en  = control3[0];
-  assign \control$469.first  = control3[1];
-  assign \control$469.last  = control3[2];
-  assign \control$469.edge  = control3[3];
-  assign \control$469.tile  = control3[7:4];
-  assign \chain_i$471[0]  = \chain_i$471 [18:0];
-  assign \chain_i$471[1]  = \chain_i$471 [37:19];
-  assign \chain_i$471[2]  = \chain_i$471 [56:38];
-  assign \chain_i$471[3]  = \chain_i$471 [75:57];
-  assign \chain_o$472[0]  = \chain_i$471 [18:0];
-  assign \chain_o$472[1]  = \chain_i$471 [37:19];
-  assign \chain_o$472[2]  = \chain_i$471 [56:38];
-  assign \chain_o$472[3]  = \chain_i$471 [75:57];
-  assign \write$475.addr  = \$70 ;
-  assign \write$475.data  = \$72 [519:448];
-  assign \control$477.en  = control3[0];
-  assign \control$477.first  = control3[1];
-  assign \control$477.last  = control3[2];
-  assign \control$477.edge  = control3[3];
-  assign \control$477.tile  = control3[7:4];
-  assign \chain_i$479[0]  = \chain_i$479 [18:0];
-  assign \chain_i$479[1]  = \chain_i$479 [37:19];
-  assign \chain_i$479[2]  = \chain_i$479 [56:38];
-  assign \chain_i$479[3]  = \chain_i$479 [75:57];
-  assign \chain_o$480[0]  = \chain_i$479 [18:0];
-  assign \chain_o$480[1]  = \chain_i$479 [37:19];
-  assign \chain_o$480[2]  = \chain_i$479 [56:38];
-  assign \chain_o$480[3]  = \chain_i$479 [75:57];
-  assign \write$483.addr  = \$70 ;
-  assign \write$483.data  = \$72 [519:448];
-  assign \control$485.en  = control3[0];
-  assign \control$485.first  = control3[1];
-  assign \control$485.last  = control3[2];
-  assign \control$485.edge  = control3[3];
-  assign \control$485.tile  = control3[7:4];
-  assign \chain_i$487[0]  = \chain_i$487 [18:0];
-  assign \chain_i$487[1]  = \chain_i$487 [37:19];
-  assign \chain_i$487[2]  = \chain_i$487 [56:38];
-  assign \chain_i$487[3]  = \chain_i$487 [75:57];
-  assign \chain_o$488[0]  = \chain_i$487 [18:0];
-  assign \chain_o$488[1]  = \chain_i$487 [37:19];
-  assign \chain_o$488[2]  = \chain_i$487 [56:38];
-  assign \chain_o$488[3]  = \chain_i$487 [75:57];
-  assign \write$491.addr  = \$70 ;
-  assign \write$491.data  = \$72 [519:448];
-  assign \control$493.en  = control3[0];
-  assign \control$493.first  = control3[1];
-  assign \control$493.last  = control3[2];
-  assign \control$493.edge  = control3[3];
-  assign \control$493.tile  = control3[7:4];
-  assign \chain_i$495[0]  = \chain_i$495 [18:0];
-  assign \chain_i$495[1]  = \chain_i$495 [37:19];
-  assign \chain_i$495[2]  = \chain_i$495 [56:38];
-  assign \chain_i$495[3]  = \chain_i$495 [75:57];
-  assign \chain_o$496[0]  = \chain_i$495 [18:0];
-  assign \chain_o$496[1]  = \chain_i$495 [37:19];
-  assign \chain_o$496[2]  = \chain_i$495 [56:38];
-  assign \chain_o$496[3]  = \chain_i$495 [75:57];
-  assign \write$499.addr  = \$70 ;
-  assign \write$499.data  = \$72 [519:448];
-  assign \control$501.en  = control3[0];
-  assign \control$501.first  = control3[1];
-  assign \control$501.last  = control3[2];
-  assign \control$501.edge  = control3[3];
-  assign \control$501.tile  = control3[7:4];
-  assign \chain_i$503[0]  = \chain_i$503 [18:0];
-  assign \chain_i$503[1]  = \chain_i$503 [37:19];
-  assign \chain_i$503[2]  = \chain_i$503 [56:38];
-  assign \chain_i$503[3]  = \chain_i$503 [75:57];
-  assign \chain_o$504[0]  = \chain_i$503 [18:0];
-  assign \chain_o$504[1]  = \chain_i$503 [37:19];
-  assign \chain_o$504[2]  = \chain_i$503 [56:38];
-  assign \chain_o$504[3]  = \chain_i$503 [75:57];
-  assign \write$507.addr  = \$70 ;
-  assign \write$507.data  = \$72 [519:448];
-  assign \control$509.en  = control3[0];
-  assign \control$509.first  = control3[1];
-  assign \control$509.last  = control3[2];
-  assign \control$509.edge  = control3[3];
-  assign \control$509.tile  = control3[7:4];
-  assign \chain_i$511[0]  = \chain_i$511 [18:0];
-  assign \chain_i$511[1]  = \chain_i$511 [37:19];
-  assign \chain_i$511[2]  = \chain_i$511 [56:38];
-  assign \chain_i$511[3]  = \chain_i$511 [75:57];
-  assign \chain_o$512[0]  = \chain_i$511 [18:0];
-  assign \chain_o$512[1]  = \chain_i$511 [37:19];
-  assign \chain_o$512[2]  = \chain_i$511 [56:38];
-  assign \chain_o$512[3]  = \chain_i$511 [75:57];
-  assign \write$515.addr  = \$70 ;
-  assign \write$515.data  = \$72 [519:448];
-  assign \control$517.en  = control3[0];
-  assign \control$517.first  = control3[1];
-  assign \control$517.last  = control3[2];
-  assign \control$517.edge  = control3[3];
-  assign \control$517.tile  = control3[7:4];
-  assign \chain_i$519[0]  = \chain_i$519 [18:0];
-  assign \chain_i$519[1]  = \chain_i$519 [37:19];
-  assign \chain_i$519[2]  = \chain_i$519 [56:38];
-  assign \chain_i$519[3]  = \chain_i$519 [75:57];
-  assign \chain_o$520[0]  = \chain_i$519 [18:0];
-  assign \chain_o$520[1]  = \chain_i$519 [37:19];
-  assign \chain_o$520[2]  = \chain_i$519 [56:38];
-  assign \chain_o$520[3]  = \chain_i$519 [75:57];
-  assign \write$523.addr  = \$70 ;
-  assign \write$523.data  = \$72 [519:448];
-  assign \control$525.en  = control3[0];
-  assign \control$525.first  = control3[1];
-  assign \control$525.last  = control3[2];
-  assign \control$525.edge  = control3[3];
-  assign \control$525.tile  = control3[7:4];
-  assign \chain_i$527[0]  = \chain_i$527 [18:0];
-  assign \chain_i$527[1]  = \chain_i$527 [37:19];
-  assign \chain_i$527[2]  = \chain_i$527 [56:38];
-  assign \chain_i$527[3]  = \chain_i$527 [75:57];
-  assign \chain_o$528[0]  = \chain_i$527 [18:0];
-  assign \chain_o$528[1]  = \chain_i$527 [37:19];
-  assign \chain_o$528[2]  = \chain_i$527 [56:38];
-  assign \chain_o$528[3]  = \chain_i$527 [75:57];
-  assign \write$531.addr  = \$70 ;
-  assign \write$531.data  = \$72 [519:448];
-  assign \control$533.en  = control3[0];
-  assign \control$533.first  = control3[1];
-  assign \control$533.last  = control3[2];
-  assign \control$533.edge  = control3[3];
-  assign \control$533.tile  = control3[7:4];
-  assign \chain_i$535[0]  = \chain_i$535 [18:0];
-  assign \chain_i$535[1]  = \chain_i$535 [37:19];
-  assign \chain_i$535[2]  = \chain_i$535 [56:38];
-  assign \chain_i$535[3]  = \chain_i$535 [75:57];
-  assign \chain_o$536[0]  = \chain_i$535 [18:0];
-  assign \chain_o$536[1]  = \chain_i$535 [37:19];
-  assign \chain_o$536[2]  = \chain_i$535 [56:38];
-  assign \chain_o$536[3]  = \chain_i$535 [75:57];
-  assign \write$539.addr  = \$70 ;
-  assign \write$539.data  = \$72 [519:448];
-  assign \control$541.en  = control3[0];
-  assign \control$541.first  = control3[1];
-  assign \control$541.last  = control3[2];
-  assign \control$541.edge  = control3[3];
-  assign \control$541.tile  = control3[7:4];
-  assign \chain_i$543[0]  = \chain_i$543 [18:0];
-  assign \chain_i$543[1]  = \chain_i$543 [37:19];
-  assign \chain_i$543[2]  = \chain_i$543 [56:38];
-  assign \chain_i$543[3]  = \chain_i$543 [75:57];
-  assign \chain_o$544[0]  = \chain_i$543 [18:0];
-  assign \chain_o$544[1]  = \chain_i$543 [37:19];
-  assign \chain_o$544[2]  = \chain_i$543 [56:38];
-  assign \chain_o$544[3]  = \chain_i$543 [75:57];
-  assign \write$547.addr  = \$70 ;
-  assign \write$547.data  = \$72 [519:448];
-  assign \control$549.en  = control3[0];
-  assign \control$549.first  = control3[1];
-  assign \control$549.last  = control3[2];
-  assign \control$549.edge  = control3[3];
-  assign \control$549.tile  = control3[7:4];
-  assign \chain_i$551[0]  = \chain_i$551 [18:0];
-  assign \chain_i$551[1]  = \chain_i$551 [37:19];
-  assign \chain_i$551[2]  = \chain_i$551 [56:38];
-  assign \chain_i$551[3]  = \chain_i$551 [75:57];
-  assign \chain_o$552[0]  = \chain_i$551 [18:0];
-  assign \chain_o$552[1]  = \chain_i$551 [37:19];
-  assign \chain_o$552[2]  = \chain_i$551 [56:38];
-  assign \chain_o$552[3]  = \chain_i$551 [75:57];
-  assign \write$555.addr  = \$70 ;
-  assign \write$555.data  = \$72 [519:448];
-  assign \control$557.en  = control3[0];
-  assign \control$557.first  = control3[1];
-  assign \control$557.last  = control3[2];
-  assign \control$557.edge  = control3[3];
-  assign \control$557.tile  = control3[7:4];
-  assign \chain_i$559[0]  = \chain_i$559 [18:0];
-  assign \chain_i$559[1]  = \chain_i$559 [37:19];
-  assign \chain_i$559[2]  = \chain_i$559 [56:38];
-  assign \chain_i$559[3]  = \chain_i$559 [75:57];
-  assign \chain_o$560[0]  = \chain_i$559 [18:0];
-  assign \chain_o$560[1]  = \chain_i$559 [37:19];
-  assign \chain_o$560[2]  = \chain_i$559 [56:38];
-  assign \chain_o$560[3]  = \chain_i$559 [75:57];
-  assign \write$563.addr  = \$70 ;
-  assign \write$563.data  = \$72 [519:448];
-  assign \control$565.en  = control3[0];
-  assign \control$565.first  = control3[1];
-  assign \control$565.last  = control3[2];
-  assign \control$565.edge  = control3[3];
-  assign \control$565.tile  = control3[7:4];
-  assign \chain_i$567[0]  = \chain_i$567 [18:0];
-  assign \chain_i$567[1]  = \chain_i$567 [37:19];
-  assign \chain_i$567[2]  = \chain_i$567 [56:38];
-  assign \chain_i$567[3]  = \chain_i$567 [75:57];
-  assign \chain_o$568[0]  = \chain_i$567 [18:0];
-  assign \chain_o$568[1]  = \chain_i$567 [37:19];
-  assign \chain_o$568[2]  = \chain_i$567 [56:38];
-  assign \chain_o$568[3]  = \chain_i$567 [75:57];
-  assign \write$571.addr  = \$70 ;
-  assign \write$571.data  = \$72 [519:448];
-  assign \control$573.en  = control3[0];
-  assign \control$573.first  = control3[1];
-  assign \control$573.last  = control3[2];
-  assign \control$573.edge  = control3[3];
-  assign \control$573.tile  = control3[7:4];
-  assign \chain_i$575[0]  = \chain_i$575 [18:0];
-  assign \chain_i$575[1]  = \chain_i$575 [37:19];
-  assign \chain_i$575[2]  = \chain_i$575 [56:38];
-  assign \chain_i$575[3]  = \chain_i$575 [75:57];
-  assign \chain_o$576[0]  = \chain_i$575 [18:0];
-  assign \chain_o$576[1]  = \chain_i$575 [37:19];
-  assign \chain_o$576[2]  = \chain_i$575 [56:38];
-  assign \chain_o$576[3]  = \chain_i$575 [75:57];
-  assign \write$579.addr  = \$70 ;
-  assign \write$579.data  = \$72 [519:448];
-  assign \control$581.en  = control3[0];
-  assign \control$581.first  = control3[1];
-  assign \control$581.last  = control3[2];
-  assign \control$581.edge  = control3[3];
-  assign \control$581.tile  = control3[7:4];
-  assign \write$585.addr  = \$70 ;
-  assign \write$585.data  = \$72 [519:448];
-  assign \control$587.en  = control3[0];
-  assign \control$587.first  = control3[1];
-  assign \control$587.last  = control3[2];
-  assign \control$587.edge  = control3[3];
-  assign \control$587.tile  = control3[7:4];
-  assign \write$591.addr  = \$70 ;
-  assign \write$591.data  = \$72 [519:448];
-  assign \control$593.en  = control3[0];
-  assign \control$593.first  = control3[1];
-  assign \control$593.last  = control3[2];
-  assign \control$593.edge  = control3[3];
-  assign \control$593.tile  = control3[7:4];
-  assign \write$597.addr  = \$70 ;
-  assign \write$597.data  = \$72 [519:448];
-  assign \control$599.en  = control3[0];
-  assign \control$599.first  = control3[1];
-  assign \control$599.last  = control3[2];
-  assign \control$599.edge  = control3[3];
-  assign \control$599.tile  = control3[7:4];
+  assign \chain_o$102[0]  = chain_i[18:0];
+  assign \chain_o$102[1]  = chain_i[37:19];
+  assign \chain_o$102[2]  = chain_i[56:38];
+  assign \chain_o$102[3]  = chain_i[75:57];
+  assign \write$105.addr  = \$70 ;
+  assign \write$105.data  = \$72 [519:448];
+  assign \control$107.en  = control[0];
+  assign \control$107.first  = control[1];
+  assign \control$107.last  = control[2];
+  assign \control$107.edge  = control[3];
+  assign \control$107.tile  = control[7:4];
+  assign \chain_o$109[0]  = \chain_o$109 [18:0];
+  assign \chain_o$109[1]  = \chain_o$109 [37:19];
+  assign \chain_o$109[2]  = \chain_o$109 [56:38];
+  assign \chain_o$109[3]  = \chain_o$109 [75:57];
+  assign \chain_i$110[0]  = \chain_i$110 [18:0];
+  assign \chain_i$110[1]  = \chain_i$110 [37:19];
+  assign \chain_i$110[2]  = \chain_i$110 [56:38];
+  assign \chain_i$110[3]  = \chain_i$110 [75:57];
+  assign \chain_o$111[0]  = \chain_i$110 [18:0];
+  assign \chain_o$111[1]  = \chain_i$110 [37:19];
+  assign \chain_o$111[2]  = \chain_i$110 [56:38];
+  assign \chain_o$111[3]  = \chain_i$110 [75:57];
+  assign \write$114.addr  = \$70 ;
+  assign \write$114.data  = \$72 [519:448];
+  assign \control$116.en  = control[0];
+  assign \control$116.first  = control[1];
+  assign \control$116.last  = control[2];
+  assign \control$116.edge  = control[3];
+  assign \control$116.tile  = control[7:4];
+  assign \chain_o$118[0]  = \chain_o$118 [18:0];
+  assign \chain_o$118[1]  = \chain_o$118 [37:19];
+  assign \chain_o$118[2]  = \chain_o$118 [56:38];
+  assign \chain_o$118[3]  = \chain_o$118 [75:57];
+  assign \chain_i$119[0]  = \chain_i$119 [18:0];
+  assign \chain_i$119[1]  = \chain_i$119 [37:19];
+  assign \chain_i$119[2]  = \chain_i$119 [56:38];
+  assign \chain_i$119[3]  = \chain_i$119 [75:57];
+  assign \chain_o$120[0]  = \chain_i$119 [18:0];
+  assign \chain_o$120[1]  = \chain_i$119 [37:19];
+  assign \chain_o$120[2]  = \chain_i$119 [56:38];
+  assign \chain_o$120[3]  = \chain_i$119 [75:57];
+  assign \write$123.addr  = \$70 ;
+  assign \write$123.data  = \$72 [519:448];
+  assign \control$125.en  = control[0];
+  assign \control$125.first  = control[1];
+  assign \control$125.last  = control[2];
+  assign \control$125.edge  = control[3];
+  assign \control$125.tile  = control[7:4];
+  assign \chain_o$127[0]  = \chain_o$127 [18:0];
+  assign \chain_o$127[1]  = \chain_o$127 [37:19];
+  assign \chain_o$127[2]  = \chain_o$127 [56:38];
+  assign \chain_o$127[3]  = \chain_o$127 [75:57];
+  assign \chain_i$128[0]  = \chain_i$128 [18:0];
+  assign \chain_i$128[1]  = \chain_i$128 [37:19];
+  assign \chain_i$128[2]  = \chain_i$128 [56:38];
+  assign \chain_i$128[3]  = \chain_i$128 [75:57];
+  assign \chain_o$129[0]  = \chain_i$128 [18:0];
+  assign \chain_o$129[1]  = \chain_i$128 [37:19];
+  assign \chain_o$129[2]  = \chain_i$128 [56:38];
+  assign \chain_o$129[3]  = \chain_i$128 [75:57];
+  assign \write$132.addr  = \$70 ;
+  assign \write$132.data  = \$72 [519:448];
+  assign \control$134.en  = control[0];
+  assign \control$134.first  = control[1];
+  assign \control$134.last  = control[2];
+  assign \control$134.edge  = control[3];
+  assign \control$134.tile  = control[7:4];
+  assign \chain_i$136[0]  = \chain_i$136 [18:0];
+  assign \chain_i$136[1]  = \chain_i$136 [37:19];
+  assign \chain_i$136[2]  = \chain_i$136 [56:38];
+  assign \chain_i$136[3]  = \chain_i$136 [75:57];
+  assign \chain_o$137[0]  = \chain_i$136 [18:0];
+  assign \chain_o$137[1]  = \chain_i$136 [37:19];
+  assign \chain_o$137[2]  = \chain_i$136 [56:38];
+  assign \chain_o$137[3]  = \chain_i$136 [75:57];
+  assign \write$140.addr  = \$70 ;
+  assign \write$140.data  = \$72 [519:448];
+  assign \control$142.en  = control[0];
+  assign \control$142.first  = control[1];
+  assign \control$142.last  = control[2];
+  assign \control$142.edge  = control[3];
+  assign \control$142.tile  = control[7:4];
+  assign \chain_i$144[0]  = \chain_i$144 [18:0];
+  assign \chain_i$144[1]  = \chain_i$144 [37:19];
+  assign \chain_i$144[2]  = \chain_i$144 [56:38];
+  assign \chain_i$144[3]  = \chain_i$144 [75:57];
+  assign \chain_o$145[0]  = \chain_i$144 [18:0];
+  assign \chain_o$145[1]  = \chain_i$144 [37:19];
+  assign \chain_o$145[2]  = \chain_i$144 [56:38];
+  assign \chain_o$145[3]  = \chain_i$144 [75:57];
+  assign \write$148.addr  = \$70 ;
+  assign \write$148.data  = \$72 [519:448];
+  assign \control$150.en  = control[0];
+  assign \control$150.first  = control[1];
+  assign \control$150.last  = control[2];
+  assign \control$150.edge  = control[3];
+  assign \control$150.tile  = control[7:4];
+  assign \chain_i$152[0]  = \chain_i$152 [18:0];
+  assign \chain_i$152[1]  = \chain_i$152 [37:19];
+  assign \chain_i$152[2]  = \chain_i$152 [56:38];
+  assign \chain_i$152[3]  = \chain_i$152 [75:57];
+  assign \chain_o$153[0]  = \chain_i$152 [18:0];
+  assign \chain_o$153[1]  = \chain_i$152 [37:19];
+  assign \chain_o$153[2]  = \chain_i$152 [56:38];
+  assign \chain_o$153[3]  = \chain_i$152 [75:57];
+  assign \write$156.addr  = \$70 ;
+  assign \write$156.data  = \$72 [519:448];
+  assign \control$158.en  = control[0];
+  assign \control$158.first  = control[1];
+  assign \control$158.last  = control[2];
+  assign \control$158.edge  = control[3];
+  assign \control$158.tile  = control[7:4];
+  assign \chain_i$160[0]  = \chain_i$160 [18:0];
+  assign \chain_i$160[1]  = \chain_i$160 [37:19];
+  assign \chain_i$160[2]  = \chain_i$160 [56:38];
+  assign \chain_i$160[3]  = \chain_i$160 [75:57];
+  assign \chain_o$161[0]  = \chain_i$160 [18:0];
+  assign \chain_o$161[1]  = \chain_i$160 [37:19];
+  assign \chain_o$161[2]  = \chain_i$160 [56:38];
+  assign \chain_o$161[3]  = \chain_i$160 [75:57];
+  assign \write$164.addr  = \$70 ;
+  assign \write$164.data  = \$72 [519:448];
+  assign \control$166.en  = control[0];
+  assign \control$166.first  = control[1];
+  assign \control$166.last  = control[2];
+  assign \control$166.edge  = control[3];
+  assign \control$166.tile  = control[7:4];
+  assign \chain_i$168[0]  = \chain_i$168 [18:0];
+  assign \chain_i$168[1]  = \chain_i$168 [37:19];
+  assign \chain_i$168[2]  = \chain_i$168 [56:38];
+  assign \chain_i$168[3]  = \chain_i$168 [75:57];
+  assign \chain_o$169[0]  = \chain_i$168 [18:0];
+  assign \chain_o$169[1]  = \chain_i$168 [37:19];
+  assign \chain_o$169[2]  = \chain_i$168 [56:38];
+  assign \chain_o$169[3]  = \chain_i$168 [75:57];
+  assign \write$172.addr  = \$70 ;
+  assign \write$172.data  = \$72 [519:448];
+  assign \control$174.en  = control[0];
+  assign \control$174.first  = control[1];
+  assign \control$174.last  = control[2];
+  assign \control$174.edge  = control[3];
+  assign \control$174.tile  = control[7:4];
+  assign \chain_i$176[0]  = \chain_i$176 [18:0];
+  assign \chain_i$176[1]  = \chain_i$176 [37:19];
+  assign \chain_i$176[2]  = \chain_i$176 [56:38];
+  assign \chain_i$176[3]  = \chain_i$176 [75:57];
+  assign \chain_o$177[0]  = \chain_i$176 [18:0];
+  assign \chain_o$177[1]  = \chain_i$176 [37:19];
+  assign \chain_o$177[2]  = \chain_i$176 [56:38];
+  assign \chain_o$177[3]  = \chain_i$176 [75:57];
+  assign \write$180.addr  = \$70 ;
+  assign \write$180.data  = \$72 [519:448];
+  assign \control$182.en  = control[0];
+  assign \control$182.first  = control[1];
+  assign \control$182.last  = control[2];
+  assign \control$182.edge  = control[3];
+  assign \control$182.tile  = control[7:4];
+  assign \chain_i$184[0]  = \chain_i$184 [18:0];
+  assign \chain_i$184[1]  = \chain_i$184 [37:19];
+  assign \chain_i$184[2]  = \chain_i$184 [56:38];
+  assign \chain_i$184[3]  = \chain_i$184 [75:57];
+  assign \chain_o$185[0]  = \chain_i$184 [18:0];
+  assign \chain_o$185[1]  = \chain_i$184 [37:19];
+  assign \chain_o$185[2]  = \chain_i$184 [56:38];
+  assign \chain_o$185[3]  = \chain_i$184 [75:57];
+  assign \write$188.addr  = \$70 ;
+  assign \write$188.data  = \$72 [519:448];
+  assign \control$190.en  = control[0];
+  assign \control$190.first  = control[1];
+  assign \control$190.last  = control[2];
+  assign \control$190.edge  = control[3];
+  assign \control$190.tile  = control[7:4];
+  assign \chain_i$192[0]  = \chain_i$192 [18:0];
+  assign \chain_i$192[1]  = \chain_i$192 [37:19];
+  assign \chain_i$192[2]  = \chain_i$192 [56:38];
+  assign \chain_i$192[3]  = \chain_i$192 [75:57];
+  assign \chain_o$193[0]  = \chain_i$192 [18:0];
+  assign \chain_o$193[1]  = \chain_i$192 [37:19];
+  assign \chain_o$193[2]  = \chain_i$192 [56:38];
+  assign \chain_o$193[3]  = \chain_i$192 [75:57];
+  assign \write$196.addr  = \$70 ;
+  assign \write$196.data  = \$72 [519:448];
+  assign \control$198.en  = control[0];
+  assign \control$198.first  = control[1];
+  assign \control$198.last  = control[2];
+  assign \control$198.edge  = control[3];
+  assign \control$198.tile  = control[7:4];
+  assign \chain_i$200[0]  = \chain_i$200 [18:0];
+  assign \chain_i$200[1]  = \chain_i$200 [37:19];
+  assign \chain_i$200[2]  = \chain_i$200 [56:38];
+  assign \chain_i$200[3]  = \chain_i$200 [75:57];
+  assign \chain_o$201[0]  = \chain_i$200 [18:0];
+  assign \chain_o$201[1]  = \chain_i$200 [37:19];
+  assign \chain_o$201[2]  = \chain_i$200 [56:38];
+  assign \chain_o$201[3]  = \chain_i$200 [75:57];
+  assign \write$204.addr  = \$70 ;
+  assign \write$204.data  = \$72 [519:448];
+  assign \control$206.en  = control[0];
+  assign \control$206.first  = control[1];
+  assign \control$206.last  = control[2];
+  assign \control$206.edge  = control[3];
+  assign \control$206.tile  = control[7:4];
+  assign \chain_i$208[0]  = \chain_i$208 [18:0];
+  assign \chain_i$208[1]  = \chain_i$208 [37:19];
+  assign \chain_i$208[2]  = \chain_i$208 [56:38];
+  assign \chain_i$208[3]  = \chain_i$208 [75:57];
+  assign \chain_o$209[0]  = \chain_i$208 [18:0];
+  assign \chain_o$209[1]  = \chain_i$208 [37:19];
+  assign \chain_o$209[2]  = \chain_i$208 [56:38];
+  assign \chain_o$209[3]  = \chain_i$208 [75:57];
+  assign \write$212.addr  = \$70 ;
+  assign \write$212.data  = \$72 [519:448];
+  assign \control$214.en  = control[0];
+  assign \control$214.first  = control[1];
+  assign \control$214.last  = control[2];
+  assign \control$214.edge  = control[3];
+  assign \control$214.tile  = control[7:4];
+  assign \chain_i$216[0]  = \chain_i$216 [18:0];
+  assign \chain_i$216[1]  = \chain_i$216 [37:19];
+  assign \chain_i$216[2]  = \chain_i$216 [56:38];
+  assign \chain_i$216[3]  = \chain_i$216 [75:57];
+  assign \chain_o$217[0]  = \chain_i$216 [18:0];
+  assign \chain_o$217[1]  = \chain_i$216 [37:19];
+  assign \chain_o$217[2]  = \chain_i$216 [56:38];
+  assign \chain_o$217[3]  = \chain_i$216 [75:57];
+  assign \write$220.addr  = \$70 ;
+  assign \write$220.data  = \$72 [519:448];
+  assign \control$222.en  = control[0];
+  assign \control$222.first  = control[1];
+  assign \control$222.last  = control[2];
+  assign \control$222.edge  = control[3];
+  assign \control$222.tile  = control[7:4];
+  assign \chain_i$224[0]  = \chain_i$224 [18:0];
+  assign \chain_i$224[1]  = \chain_i$224 [37:19];
+  assign \chain_i$224[2]  = \chain_i$224 [56:38];
+  assign \chain_i$224[3]  = \chain_i$224 [75:57];
+  assign \chain_o$225[0]  = \chain_i$224 [18:0];
+  assign \chain_o$225[1]  = \chain_i$224 [37:19];
+  assign \chain_o$225[2]  = \chain_i$224 [56:38];
+  assign \chain_o$225[3]  = \chain_i$224 [75:57];
+  assign \write$228.addr  = \$70 ;
+  assign \write$228.data  = \$72 [519:448];
+  assign \control$230.en  = control[0];
+  assign \control$230.first  = control[1];
+  assign \control$230.last  = control[2];
+  assign \control$230.edge  = control[3];
+  assign \control$230.tile  = control[7:4];
+  assign \chain_i$232[0]  = \chain_i$232 [18:0];
+  assign \chain_i$232[1]  = \chain_i$232 [37:19];
+  assign \chain_i$232[2]  = \chain_i$232 [56:38];
+  assign \chain_i$232[3]  = \chain_i$232 [75:57];
+  assign \chain_o$233[0]  = \chain_i$232 [18:0];
+  assign \chain_o$233[1]  = \chain_i$232 [37:19];
+  assign \chain_o$233[2]  = \chain_i$232 [56:38];
+  assign \chain_o$233[3]  = \chain_i$232 [75:57];
+  assign \write$236.addr  = \$70 ;
+  assign \write$236.data  = \$72 [519:448];
+  assign \control$238.en  = control[0];
+  assign \control$238.first  = control[1];
+  assign \control$238.last  = control[2];
+  assign \control$238.edge  = control[3];
+  assign \control$238.tile  = control[7:4];
+  assign \chain_i$240[0]  = \chain_i$240 [18:0];
+  assign \chain_i$240[1]  = \chain_i$240 [37:19];
+  assign \chain_i$240[2]  = \chain_i$240 [56:38];
+  assign \chain_i$240[3]  = \chain_i$240 [75:57];
+  assign \chain_o$241[0]  = \chain_i$240 [18:0];
+  assign \chain_o$241[1]  = \chain_i$240 [37:19];
+  assign \chain_o$241[2]  = \chain_i$240 [56:38];
+  assign \chain_o$241[3]  = \chain_i$240 [75:57];
+  assign \write$244.addr  = \$70 ;
+  assign \write$244.data  = \$72 [519:448];
+  assign \control$246.en  = control[0];
+  assign \control$246.first  = control[1];
+  assign \control$246.last  = control[2];
+  assign \control$246.edge  = control[3];
+  assign \control$246.tile  = control[7:4];
+  assign \chain_i$248[0]  = \chain_i$248 [18:0];
+  assign \chain_i$248[1]  = \chain_i$248 [37:19];
+  assign \chain_i$248[2]  = \chain_i$248 [56:38];
+  assign \chain_i$248[3]  = \chain_i$248 [75:57];
+  assign \chain_o$249[0]  = \chain_i$248 [18:0];
+  assign \chain_o$249[1]  = \chain_i$248 [37:19];
+  assign \chain_o$249[2]  = \chain_i$248 [56:38];
+  assign \chain_o$249[3]  = \chain_i$248 [75:57];
+  assign \write$252.addr  = \$70 ;
+  assign \write$252.data  = \$72 [519:448];
+  assign \control$254.en  = control[0];
+  assign \control$254.first  = control[1];
+  assign \control$254.last  = control[2];
+  assign \control$254.edge  = control[3];
+  assign \control$254.tile  = control[7:4];
+  assign \chain_i$256[0]  = \chain_i$256 [18:0];
+  assign \chain_i$256[1]  = \chain_i$256 [37:19];
+  assign \chain_i$256[2]  = \chain_i$256 [56:38];
+  assign \chain_i$256[3]  = \chain_i$256 [75:57];
+  assign \chain_o$257[0]  = \chain_i$256 [18:0];
+  assign \chain_o$257[1]  = \chain_i$256 [37:19];
+  assign \chain_o$257[2]  = \chain_i$256 [56:38];
+  assign \chain_o$257[3]  = \chain_i$256 [75:57];
+  assign \write$260.addr  = \$70 ;
+  assign \write$260.data  = \$72 [519:448];
+  assign \control$262.en  = control[0];
+  assign \control$262.first  = control[1];
+  assign \control$262.last  = control[2];
+  assign \control$262.edge  = control[3];
+  assign \control$262.tile  = control[7:4];
+  assign \chain_i$264[0]  = \chain_i$264 [18:0];
+  assign \chain_i$264[1]  = \chain_i$264 [37:19];
+  assign \chain_i$264[2]  = \chain_i$264 [56:38];
+  assign \chain_i$264[3]  = \chain_i$264 [75:57];
+  assign \chain_o$265[0]  = \chain_i$264 [18:0];
+  assign \chain_o$265[1]  = \chain_i$264 [37:19];
+  assign \chain_o$265[2]  = \chain_i$264 [56:38];
+  assign \chain_o$265[3]  = \chain_i$264 [75:57];
+  assign \write$268.addr  = \$70 ;
+  assign \write$268.data  = \$72 [519:448];
+  assign \control$270.en  = control[0];
+  assign \control$270.first  = control[1];
+  assign \control$270.last  = control[2];
+  assign \control$270.edge  = control[3];
+  assign \control$270.tile  = control[7:4];
+  assign \chain_i$272[0]  = \chain_i$272 [18:0];
+  assign \chain_i$272[1]  = \chain_i$272 [37:19];
+  assign \chain_i$272[2]  = \chain_i$272 [56:38];
+  assign \chain_i$272[3]  = \chain_i$272 [75:57];
+  assign \chain_o$273[0]  = \chain_i$272 [18:0];
+  assign \chain_o$273[1]  = \chain_i$272 [37:19];
+  assign \chain_o$273[2]  = \chain_i$272 [56:38];
+  assign \chain_o$273[3]  = \chain_i$272 [75:57];
+  assign \write$276.addr  = \$70 ;
+  assign \write$276.data  = \$72 [519:448];
+  assign \control$278.en  = control[0];
+  assign \control$278.first  = control[1];
+  assign \control$278.last  = control[2];
+  assign \control$278.edge  = control[3];
+  assign \control$278.tile  = control[7:4];
+  assign \chain_i$280[0]  = \chain_i$280 [18:0];
+  assign \chain_i$280[1]  = \chain_i$280 [37:19];
+  assign \chain_i$280[2]  = \chain_i$280 [56:38];
+  assign \chain_i$280[3]  = \chain_i$280 [75:57];
+  assign \chain_o$281[0]  = \chain_i$280 [18:0];
+  assign \chain_o$281[1]  = \chain_i$280 [37:19];
+  assign \chain_o$281[2]  = \chain_i$280 [56:38];
+  assign \chain_o$281[3]  = \chain_i$280 [75:57];
+  assign \write$284.addr  = \$70 ;
+  assign \write$284.data  = \$72 [519:448];
+  assign \control$286.en  = control[0];
+  assign \control$286.first  = control[1];
+  assign \control$286.last  = control[2];
+  assign \control$286.edge  = control[3];
+  assign \control$286.tile  = control[7:4];
+  assign \chain_i$288[0]  = \chain_i$288 [18:0];
+  assign \chain_i$288[1]  = \chain_i$288 [37:19];
+  assign \chain_i$288[2]  = \chain_i$288 [56:38];
+  assign \chain_i$288[3]  = \chain_i$288 [75:57];
+  assign \chain_o$289[0]  = \chain_i$288 [18:0];
+  assign \chain_o$289[1]  = \chain_i$288 [37:19];
+  assign \chain_o$289[2]  = \chain_i$288 [56:38];
+  assign \chain_o$289[3]  = \chain_i$288 [75:57];
+  assign \write$292.addr  = \$70 ;
+  assign \write$292.data  = \$72 [519:448];
+  assign \control$294.en  = control[0];
+  assign \control$294.first  = control[1];
+  assign \control$294.last  = control[2];
+  assign \control$294.edge  = control[3];
+  assign \control$294.tile  = control[7:4];
+  assign \chain_i$296[0]  = \chain_i$296 [18:0];
+  assign \chain_i$296[1]  = \chain_i$296 [37:19];
+  assign \chain_i$296[2]  = \chain_i$296 [56:38];
+  assign \chain_i$296[3]  = \chain_i$296 [75:57];
+  assign \chain_o$297[0]  = \chain_i$296 [18:0];
+  assign \chain_o$297[1]  = \chain_i$296 [37:19];
+  assign \chain_o$297[2]  = \chain_i$296 [56:38];
+  assign \chain_o$297[3]  = \chain_i$296 [75:57];
+  assign \write$300.addr  = \$70 ;
+  assign \write$300.data  = \$72 [519:448];
+  assign \control$302.en  = control[0];
+  assign \control$302.first  = control[1];
+  assign \control$302.last  = control[2];
+  assign \control$302.edge  = control[3];
+  assign \control$302.tile  = control[7:4];
+  assign \chain_i$304[0]  = \chain_i$304 [18:0];
+  assign \chain_i$304[1]  = \chain_i$304 [37:19];
+  assign \chain_i$304[2]  = \chain_i$304 [56:38];
+  assign \chain_i$304[3]  = \chain_i$304 [75:57];
+  assign \chain_o$305[0]  = \chain_i$304 [18:0];
+  assign \chain_o$305[1]  = \chain_i$304 [37:19];
+  assign \chain_o$305[2]  = \chain_i$304 [56:38];
+  assign \chain_o$305[3]  = \chain_i$304 [75:57];
+  assign \write$308.addr  = \$70 ;
+  assign \write$308.data  = \$72 [519:448];
+  assign \control$310.en  = control[0];
+  assign \control$310.first  = control[1];
+  assign \control$310.last  = control[2];
+  assign \control$310.edge  = control[3];
+  assign \control$310.tile  = control[7:4];
+  assign \chain_i$312[0]  = \chain_i$312 [18:0];
+  assign \chain_i$312[1]  = \chain_i$312 [37:19];
+  assign \chain_i$312[2]  = \chain_i$312 [56:38];
+  assign \chain_i$312[3]  = \chain_i$312 [75:57];
+  assign \chain_o$313[0]  = \chain_i$312 [18:0];
+  assign \chain_o$313[1]  = \chain_i$312 [37:19];
+  assign \chain_o$313[2]  = \chain_i$312 [56:38];
+  assign \chain_o$313[3]  = \chain_i$312 [75:57];
+  assign \write$316.addr  = \$70 ;
+  assign \write$316.data  = \$72 [519:448];
+  assign \control$318.en  = control[0];
+  assign \control$318.first  = control[1];
+  assign \control$318.last  = control[2];
+  assign \control$318.edge  = control[3];
+  assign \control$318.tile  = control[7:4];
+  assign \chain_i$320[0]  = \chain_i$320 [18:0];
+  assign \chain_i$320[1]  = \chain_i$320 [37:19];
+  assign \chain_i$320[2]  = \chain_i$320 [56:38];
+  assign \chain_i$320[3]  = \chain_i$320 [75:57];
+  assign \chain_o$321[0]  = \chain_i$320 [18:0];
+  assign \chain_o$321[1]  = \chain_i$320 [37:19];
+  assign \chain_o$321[2]  = \chain_i$320 [56:38];
+  assign \chain_o$321[3]  = \chain_i$320 [75:57];
+  assign \write$324.addr  = \$70 ;
+  assign \write$324.data  = \$72 [519:448];
+  assign \control$326.en  = control[0];
+  assign \control$326.first  = control[1];
+  assign \control$326.last  = control[2];
+  assign \control$326.edge  = control[3];
+  assign \control$326.tile  = control[7:4];
+  assign \chain_i$328[0]  = \chain_i$328 [18:0];
+  assign \chain_i$328[1]  = \chain_i$328 [37:19];
+  assign \chain_i$328[2]  = \chain_i$328 [56:38];
+  assign \chain_i$328[3]  = \chain_i$328 [75:57];
+  assign \chain_o$329[0]  = \chain_i$328 [18:0];
+  assign \chain_o$329[1]  = \chain_i$328 [37:19];
+  assign \chain_o$329[2]  = \chain_i$328 [56:38];
+  assign \chain_o$329[3]  = \chain_i$328 [75:57];
+  assign \write$332.addr  = \$70 ;
+  assign \write$332.data  = \$72 [519:448];
+  assign \control$334.en  = control[0];
+  assign \control$334.first  = control[1];
+  assign \control$334.last  = control[2];
+  assign \control$334.edge  = control[3];
+  assign \control$334.tile  = control[7:4];
+  assign \chain_i$336[0]  = \chain_i$336 [18:0];
+  assign \chain_i$336[1]  = \chain_i$336 [37:19];
+  assign \chain_i$336[2]  = \chain_i$336 [56:38];
+  assign \chain_i$336[3]  = \chain_i$336 [75:57];
+  assign \chain_o$337[0]  = \chain_i$336 [18:0];
+  assign \chain_o$337[1]  = \chain_i$336 [37:19];
+  assign \chain_o$337[2]  = \chain_i$336 [56:38];
+  assign \chain_o$337[3]  = \chain_i$336 [75:57];
+  assign \write$340.addr  = \$70 ;
+  assign \write$340.data  = \$72 [519:448];
+  assign \control$342.en  = control[0];
+  assign \control$342.first  = control[1];
+  assign \control$342.last  = control[2];
+  assign \control$342.edge  = control[3];
+  assign \control$342.tile  = control[7:4];
+  assign \chain_i$344[0]  = \chain_i$344 [18:0];
+  assign \chain_i$344[1]  = \chain_i$344 [37:19];
+  assign \chain_i$344[2]  = \chain_i$344 [56:38];
+  assign \chain_i$344[3]  = \chain_i$344 [75:57];
+  assign \chain_o$345[0]  = \chain_i$344 [18:0];
+  assign \chain_o$345[1]  = \chain_i$344 [37:19];
+  assign \chain_o$345[2]  = \chain_i$344 [56:38];
+  assign \chain_o$345[3]  = \chain_i$344 [75:57];
+  assign \write$348.addr  = \$70 ;
+  assign \write$348.data  = \$72 [519:448];
+  assign \control$350.en  = control[0];
+  assign \control$350.first  = control[1];
+  assign \control$350.last  = control[2];
+  assign \control$350.edge  = control[3];
+  assign \control$350.tile  = control[7:4];
+  assign \chain_i$352[0]  = \chain_i$352 [18:0];
+  assign \chain_i$352[1]  = \chain_i$352 [37:19];
+  assign \chain_i$352[2]  = \chain_i$352 [56:38];
+  assign \chain_i$352[3]  = \chain_i$352 [75:57];
+  assign \chain_o$353[0]  = \chain_i$352 [18:0];
+  assign \chain_o$353[1]  = \chain_i$352 [37:19];
+  assign \chain_o$353[2]  = \chain_i$352 [56:38];
+  assign \chain_o$353[3]  = \chain_i$352 [75:57];
+  assign \write$356.addr  = \$70 ;
+  assign \write$356.data  = \$72 [519:448];
+  assign \control$358.en  = control[0];
+  assign \control$358.first  = control[1];
+  assign \control$358.last  = control[2];
+  assign \control$358.edge  = control[3];
+  assign \control$358.tile  = control[7:4];
+  assign \chain_i$360[0]  = \chain_i$360 [18:0];
+  assign \chain_i$360[1]  = \chain_i$360 [37:19];
+  assign \chain_i$360[2]  = \chain_i$360 [56:38];
+  assign \chain_i$360[3]  = \chain_i$360 [75:57];
+  assign \chain_o$361[0]  = \chain_i$360 [18:0];
+  assign \chain_o$361[1]  = \chain_i$360 [37:19];
+  assign \chain_o$361[2]  = \chain_i$360 [56:38];
+  assign \chain_o$361[3]  = \chain_i$360 [75:57];
+  assign \write$364.addr  = \$70 ;
+  assign \write$364.data  = \$72 [519:448];
+  assign \control$366.en  = control[0];
+  assign \control$366.first  = control[1];
+  assign \control$366.last  = control[2];
+  assign \control$366.edge  = control[3];
+  assign \control$366.tile  = control[7:4];
+  assign \chain_i$368[0]  = \chain_i$368 [18:0];
+  assign \chain_i$368[1]  = \chain_i$368 [37:19];
+  assign \chain_i$368[2]  = \chain_i$368 [56:38];
+  assign \chain_i$368[3]  = \chain_i$368 [75:57];
+  assign \chain_o$369[0]  = \chain_i$368 [18:0];
+  assign \chain_o$369[1]  = \chain_i$368 [37:19];
+  assign \chain_o$369[2]  = \chain_i$368 [56:38];
+  assign \chain_o$369[3]  = \chain_i$368 [75:57];
+  assign \write$372.addr  = \$70 ;
+  assign \write$372.data  = \$72 [519:448];
+  assign \control$374.en  = control[0];
+  assign \control$374.first  = control[1];
+  assign \control$374.last  = control[2];
+  assign \control$374.edge  = control[3];
+  assign \control$374.tile  = control[7:4];
+  assign \chain_i$376[0]  = \chain_i$376 [18:0];
+  assign \chain_i$376[1]  = \chain_i$376 [37:19];
+  assign \chain_i$376[2]  = \chain_i$376 [56:38];
+  assign \chain_i$376[3]  = \chain_i$376 [75:57];
+  assign \chain_o$377[0]  = \chain_i$376 [18:0];
+  assign \chain_o$377[1]  = \chain_i$376 [37:19];
+  assign \chain_o$377[2]  = \chain_i$376 [56:38];
+  assign \chain_o$377[3]  = \chain_i$376 [75:57];
+  assign \write$380.addr  = \$70 ;
+  assign \write$380.data  = \$72 [519:448];
+  assign \control$382.en  = control[0];
+  assign \control$382.first  = control[1];
+  assign \control$382.last  = control[2];
+  assign \control$382.edge  = control[3];
+  assign \control$382.tile  = control[7:4];
+  assign \chain_i$384[0]  = \chain_i$384 [18:0];
+  assign \chain_i$384[1]  = \chain_i$384 [37:19];
+  assign \chain_i$384[2]  = \chain_i$384 [56:38];
+  assign \chain_i$384[3]  = \chain_i$384 [75:57];
+  assign \chain_o$385[0]  = \chain_i$384 [18:0];
+  assign \chain_o$385[1]  = \chain_i$384 [37:19];
+  assign \chain_o$385[2]  = \chain_i$384 [56:38];
+  assign \chain_o$385[3]  = \chain_i$384 [75:57];
+  assign \write$388.addr  = \$70 ;
+  assign \write$388.data  = \$72 [519:448];
+  assign \control$390.en  = control[0];
+  assign \control$390.first  = control[1];
+  assign \control$390.last  = control[2];
+  assign \control$390.edge  = control[3];
+  assign \control$390.tile  = control[7:4];
+  assign \chain_i$392[0]  = \chain_i$392 [18:0];
+  assign \chain_i$392[1]  = \chain_i$392 [37:19];
+  assign \chain_i$392[2]  = \chain_i$392 [56:38];
+  assign \chain_i$392[3]  = \chain_i$392 [75:57];
+  assign \chain_o$393[0]  = \chain_i$392 [18:0];
+  assign \chain_o$393[1]  = \chain_i$392 [37:19];
+  assign \chain_o$393[2]  = \chain_i$392 [56:38];
+  assign \chain_o$393[3]  = \chain_i$392 [75:57];
+  assign \write$396.addr  = \$70 ;
+  assign \write$396.data  = \$72 [519:448];
+  assign \control$398.en  = control[0];
+  assign \control$398.first  = control[1];
+  assign \control$398.last  = control[2];
+  assign \control$398.edge  = control[3];
+  assign \control$398.tile  = control[7:4];
+  assign \chain_i$400[0]  = \chain_i$400 [18:0];
+  assign \chain_i$400[1]  = \chain_i$400 [37:19];
+  assign \chain_i$400[2]  = \chain_i$400 [56:38];
+  assign \chain_i$400[3]  = \chain_i$400 [75:57];
+  assign \chain_o$401[0]  = \chain_i$400 [18:0];
+  assign \chain_o$401[1]  = \chain_i$400 [37:19];
+  assign \chain_o$401[2]  = \chain_i$400 [56:38];
+  assign \chain_o$401[3]  = \chain_i$400 [75:57];
+  assign \write$404.addr  = \$70 ;
+  assign \write$404.data  = \$72 [519:448];
+  assign \control$406.en  = control[0];
+  assign \control$406.first  = control[1];
+  assign \control$406.last  = control[2];
+  assign \control$406.edge  = control[3];
+  assign \control$406.tile  = control[7:4];
+  assign \chain_i$408[0]  = \chain_i$408 [18:0];
+  assign \chain_i$408[1]  = \chain_i$408 [37:19];
+  assign \chain_i$408[2]  = \chain_i$408 [56:38];
+  assign \chain_i$408[3]  = \chain_i$408 [75:57];
+  assign \chain_o$409[0]  = \chain_i$408 [18:0];
+  assign \chain_o$409[1]  = \chain_i$408 [37:19];
+  assign \chain_o$409[2]  = \chain_i$408 [56:38];
+  assign \chain_o$409[3]  = \chain_i$408 [75:57];
+  assign \write$412.addr  = \$70 ;
+  assign \write$412.data  = \$72 [519:448];
+  assign \control$414.en  = control[0];
+  assign \control$414.first  = control[1];
+  assign \control$414.last  = control[2];
+  assign \control$414.edge  = control[3];
+  assign \control$414.tile  = control[7:4];
+  assign \chain_i$416[0]  = \chain_i$416 [18:0];
+  assign \chain_i$416[1]  = \chain_i$416 [37:19];
+  assign \chain_i$416[2]  = \chain_i$416 [56:38];
+  assign \chain_i$416[3]  = \chain_i$416 [75:57];
+  assign \chain_o$417[0]  = \chain_i$416 [18:0];
+  assign \chain_o$417[1]  = \chain_i$416 [37:19];
+  assign \chain_o$417[2]  = \chain_i$416 [56:38];
+  assign \chain_o$417[3]  = \chain_i$416 [75:57];
+  assign \write$420.addr  = \$70 ;
+  assign \write$420.data  = \$72 [519:448];
+  assign \control$422.en  = control[0];
+  assign \control$422.first  = control[1];
+  assign \control$422.last  = control[2];
+  assign \control$422.edge  = control[3];
+  assign \control$422.tile  = control[7:4];
+  assign \chain_i$424[0]  = \chain_i$424 [18:0];
+  assign \chain_i$424[1]  = \chain_i$424 [37:19];
+  assign \chain_i$424[2]  = \chain_i$424 [56:38];
+  assign \chain_i$424[3]  = \chain_i$424 [75:57];
+  assign \chain_o$425[0]  = \chain_i$424 [18:0];
+  assign \chain_o$425[1]  = \chain_i$424 [37:19];
+  assign \chain_o$425[2]  = \chain_i$424 [56:38];
+  assign \chain_o$425[3]  = \chain_i$424 [75:57];
+  assign \write$428.addr  = \$70 ;
+  assign \write$428.data  = \$72 [519:448];
+  assign \control$430.en  = control[0];
+  assign \control$430.first  = control[1];
+  assign \control$430.last  = control[2];
+  assign \control$430.edge  = control[3];
+  assign \control$430.tile  = control[7:4];
+  assign \chain_i$432[0]  = \chain_i$432 [18:0];
+  assign \chain_i$432[1]  = \chain_i$432 [37:19];
+  assign \chain_i$432[2]  = \chain_i$432 [56:38];
+  assign \chain_i$432[3]  = \chain_i$432 [75:57];
+  assign \chain_o$433[0]  = \chain_i$432 [18:0];
+  assign \chain_o$433[1]  = \chain_i$432 [37:19];
+  assign \chain_o$433[2]  = \chain_i$432 [56:38];
+  assign \chain_o$433[3]  = \chain_i$432 [75:57];
+  assign \write$436.addr  = \$70 ;
+  assign \write$436.data  = \$72 [519:448];
+  assign \control$438.en  = control[0];
+  assign \control$438.first  = control[1];
+  assign \control$438.last  = control[2];
+  assign \control$438.edge  = control[3];
+  assign \control$438.tile  = control[7:4];
+  assign \chain_i$440[0]  = \chain_i$440 [18:0];
+  assign \chain_i$440[1]  = \chain_i$440 [37:19];
+  assign \chain_i$440[2]  = \chain_i$440 [56:38];
+  assign \chain_i$440[3]  = \chain_i$440 [75:57];
+  assign \chain_o$441[0]  = \chain_i$440 [18:0];
+  assign \chain_o$441[1]  = \chain_i$440 [37:19];
+  assign \chain_o$441[2]  = \chain_i$440 [56:38];
+  assign \chain_o$441[3]  = \chain_i$440 [75:57];
+  assign \write$444.addr  = \$70 ;
+  assign \write$444.data  = \$72 [519:448];
+  assign \control$446.en  = control[0];
+  assign \control$446.first  = control[1];
+  assign \control$446.last  = control[2];
+  assign \control$446.edge  = control[3];
+  assign \control$446.tile  = control[7:4];
+  assign \chain_i$448[0]  = \chain_i$448 [18:0];
+  assign \chain_i$448[1]  = \chain_i$448 [37:19];
+  assign \chain_i$448[2]  = \chain_i$448 [56:38];
+  assign \chain_i$448[3]  = \chain_i$448 [75:57];
+  assign \chain_o$449[0]  = \chain_i$448 [18:0];
+  assign \chain_o$449[1]  = \chain_i$448 [37:19];
+  assign \chain_o$449[2]  = \chain_i$448 [56:38];
+  assign \chain_o$449[3]  = \chain_i$448 [75:57];
+  assign \write$452.addr  = \$70 ;
+  assign \write$452.data  = \$72 [519:448];
+  assign \control$454.en  = control[0];
+  assign \control$454.first  = control[1];
+  assign \control$454.last  = control[2];
+  assign \control$454.edge  = control[3];
+  assign \control$454.tile  = control[7:4];
+  assign \chain_i$456[0]  = \chain_i$456 [18:0];
+  assign \chain_i$456[1]  = \chain_i$456 [37:19];
+  assign \chain_i$456[2]  = \chain_i$456 [56:38];
+  assign \chain_i$456[3]  = \chain_i$456 [75:57];
+  assign \chain_o$457[0]  = \chain_i$456 [18:0];
+  assign \chain_o$457[1]  = \chain_i$456 [37:19];
+  assign \chain_o$457[2]  = \chain_i$456 [56:38];
+  assign \chain_o$457[3]  = \chain_i$456 [75:57];
+  assign \write$460.addr  = \$70 ;
+  assign \write$460.data  = \$72 [519:448];
+  assign \control$462.en  = control[0];
+  assign \control$462.first  = control[1];
+  assign \control$462.last  = control[2];
+  assign \control$462.edge  = control[3];
+  assign \control$462.tile  = control[7:4];
+  assign \chain_i$464[0]  = \chain_i$464 [18:0];
+  assign \chain_i$464[1]  = \chain_i$464 [37:19];
+  assign \chain_i$464[2]  = \chain_i$464 [56:38];
+  assign \chain_i$464[3]  = \chain_i$464 [75:57];
+  assign \chain_o$465[0]  = \chain_i$464 [18:0];
+  assign \chain_o$465[1]  = \chain_i$464 [37:19];
+  assign \chain_o$465[2]  = \chain_i$464 [56:38];
+  assign \chain_o$465[3]  = \chain_i$464 [75:57];
+  assign \write$468.addr  = \$70 ;
+  assign \write$468.data  = \$72 [519:448];
+  assign \control$470.en  = control[0];
+  assign \control$470.first  = control[1];
+  assign \control$470.last  = control[2];
+  assign \control$470.edge  = control[3];
+  assign \control$470.tile  = control[7:4];
+  assign \chain_i$472[0]  = \chain_i$472 [18:0];
+  assign \chain_i$472[1]  = \chain_i$472 [37:19];
+  assign \chain_i$472[2]  = \chain_i$472 [56:38];
+  assign \chain_i$472[3]  = \chain_i$472 [75:57];
+  assign \chain_o$473[0]  = \chain_i$472 [18:0];
+  assign \chain_o$473[1]  = \chain_i$472 [37:19];
+  assign \chain_o$473[2]  = \chain_i$472 [56:38];
+  assign \chain_o$473[3]  = \chain_i$472 [75:57];
+  assign \write$476.addr  = \$70 ;
+  assign \write$476.data  = \$72 [519:448];
+  assign \control$478.en  = control[0];
+  assign \control$478.first  = control[1];
+  assign \control$478.last  = control[2];
+  assign \control$478.edge  = control[3];
+  assign \control$478.tile  = control[7:4];
+  assign \chain_i$480[0]  = \chain_i$480 [18:0];
+  assign \chain_i$480[1]  = \chain_i$480 [37:19];
+  assign \chain_i$480[2]  = \chain_i$480 [56:38];
+  assign \chain_i$480[3]  = \chain_i$480 [75:57];
+  assign \chain_o$481[0]  = \chain_i$480 [18:0];
+  assign \chain_o$481[1]  = \chain_i$480 [37:19];
+  assign \chain_o$481[2]  = \chain_i$480 [56:38];
+  assign \chain_o$481[3]  = \chain_i$480 [75:57];
+  assign \write$484.addr  = \$70 ;
+  assign \write$484.data  = \$72 [519:448];
+  assign \control$486.en  = control[0];
+  assign \control$486.first  = control[1];
+  assign \control$486.last  = control[2];
+  assign \control$486.edge  = control[3];
+  assign \control$486.tile  = control[7:4];
+  assign \chain_i$488[0]  = \chain_i$488 [18:0];
+  assign \chain_i$488[1]  = \chain_i$488 [37:19];
+  assign \chain_i$488[2]  = \chain_i$488 [56:38];
+  assign \chain_i$488[3]  = \chain_i$488 [75:57];
+  assign \chain_o$489[0]  = \chain_i$488 [18:0];
+  assign \chain_o$489[1]  = \chain_i$488 [37:19];
+  assign \chain_o$489[2]  = \chain_i$488 [56:38];
+  assign \chain_o$489[3]  = \chain_i$488 [75:57];
+  assign \write$492.addr  = \$70 ;
+  assign \write$492.data  = \$72 [519:448];
+  assign \control$494.en  = control[0];
+  assign \control$494.first  = control[1];
+  assign \control$494.last  = control[2];
+  assign \control$494.edge  = control[3];
+  assign \control$494.tile  = control[7:4];
+  assign \chain_i$496[0]  = \chain_i$496 [18:0];
+  assign \chain_i$496[1]  = \chain_i$496 [37:19];
+  assign \chain_i$496[2]  = \chain_i$496 [56:38];
+  assign \chain_i$496[3]  = \chain_i$496 [75:57];
+  assign \chain_o$497[0]  = \chain_i$496 [18:0];
+  assign \chain_o$497[1]  = \chain_i$496 [37:19];
+  assign \chain_o$497[2]  = \chain_i$496 [56:38];
+  assign \chain_o$497[3]  = \chain_i$496 [75:57];
+  assign \write$500.addr  = \$70 ;
+  assign \write$500.data  = \$72 [519:448];
+  assign \control$502.en  = control[0];
+  assign \control$502.first  = control[1];
+  assign \control$502.last  = control[2];
+  assign \control$502.edge  = control[3];
+  assign \control$502.tile  = control[7:4];
+  assign \chain_i$504[0]  = \chain_i$504 [18:0];
+  assign \chain_i$504[1]  = \chain_i$504 [37:19];
+  assign \chain_i$504[2]  = \chain_i$504 [56:38];
+  assign \chain_i$504[3]  = \chain_i$504 [75:57];
+  assign \chain_o$505[0]  = \chain_i$504 [18:0];
+  assign \chain_o$505[1]  = \chain_i$504 [37:19];
+  assign \chain_o$505[2]  = \chain_i$504 [56:38];
+  assign \chain_o$505[3]  = \chain_i$504 [75:57];
+  assign \write$508.addr  = \$70 ;
+  assign \write$508.data  = \$72 [519:448];
+  assign \control$510.en  = control[0];
+  assign \control$510.first  = control[1];
+  assign \control$510.last  = control[2];
+  assign \control$510.edge  = control[3];
+  assign \control$510.tile  = control[7:4];
+  assign \chain_i$512[0]  = \chain_i$512 [18:0];
+  assign \chain_i$512[1]  = \chain_i$512 [37:19];
+  assign \chain_i$512[2]  = \chain_i$512 [56:38];
+  assign \chain_i$512[3]  = \chain_i$512 [75:57];
+  assign \chain_o$513[0]  = \chain_i$512 [18:0];
+  assign \chain_o$513[1]  = \chain_i$512 [37:19];
+  assign \chain_o$513[2]  = \chain_i$512 [56:38];
+  assign \chain_o$513[3]  = \chain_i$512 [75:57];
+  assign \write$516.addr  = \$70 ;
+  assign \write$516.data  = \$72 [519:448];
+  assign \control$518.en  = control[0];
+  assign \control$518.first  = control[1];
+  assign \control$518.last  = control[2];
+  assign \control$518.edge  = control[3];
+  assign \control$518.tile  = control[7:4];
+  assign \chain_i$520[0]  = \chain_i$520 [18:0];
+  assign \chain_i$520[1]  = \chain_i$520 [37:19];
+  assign \chain_i$520[2]  = \chain_i$520 [56:38];
+  assign \chain_i$520[3]  = \chain_i$520 [75:57];
+  assign \chain_o$521[0]  = \chain_i$520 [18:0];
+  assign \chain_o$521[1]  = \chain_i$520 [37:19];
+  assign \chain_o$521[2]  = \chain_i$520 [56:38];
+  assign \chain_o$521[3]  = \chain_i$520 [75:57];
+  assign \write$524.addr  = \$70 ;
+  assign \write$524.data  = \$72 [519:448];
+  assign \control$526.en  = control[0];
+  assign \control$526.first  = control[1];
+  assign \control$526.last  = control[2];
+  assign \control$526.edge  = control[3];
+  assign \control$526.tile  = control[7:4];
+  assign \chain_i$528[0]  = \chain_i$528 [18:0];
+  assign \chain_i$528[1]  = \chain_i$528 [37:19];
+  assign \chain_i$528[2]  = \chain_i$528 [56:38];
+  assign \chain_i$528[3]  = \chain_i$528 [75:57];
+  assign \chain_o$529[0]  = \chain_i$528 [18:0];
+  assign \chain_o$529[1]  = \chain_i$528 [37:19];
+  assign \chain_o$529[2]  = \chain_i$528 [56:38];
+  assign \chain_o$529[3]  = \chain_i$528 [75:57];
+  assign \write$532.addr  = \$70 ;
+  assign \write$532.data  = \$72 [519:448];
+  assign \control$534.en  = control[0];
+  assign \control$534.first  = control[1];
+  assign \control$534.last  = control[2];
+  assign \control$534.edge  = control[3];
+  assign \control$534.tile  = control[7:4];
+  assign \chain_i$536[0]  = \chain_i$536 [18:0];
+  assign \chain_i$536[1]  = \chain_i$536 [37:19];
+  assign \chain_i$536[2]  = \chain_i$536 [56:38];
+  assign \chain_i$536[3]  = \chain_i$536 [75:57];
+  assign \chain_o$537[0]  = \chain_i$536 [18:0];
+  assign \chain_o$537[1]  = \chain_i$536 [37:19];
+  assign \chain_o$537[2]  = \chain_i$536 [56:38];
+  assign \chain_o$537[3]  = \chain_i$536 [75:57];
+  assign \write$540.addr  = \$70 ;
+  assign \write$540.data  = \$72 [519:448];
+  assign \control$542.en  = control[0];
+  assign \control$542.first  = control[1];
+  assign \control$542.last  = control[2];
+  assign \control$542.edge  = control[3];
+  assign \control$542.tile  = control[7:4];
+  assign \chain_i$544[0]  = \chain_i$544 [18:0];
+  assign \chain_i$544[1]  = \chain_i$544 [37:19];
+  assign \chain_i$544[2]  = \chain_i$544 [56:38];
+  assign \chain_i$544[3]  = \chain_i$544 [75:57];
+  assign \chain_o$545[0]  = \chain_i$544 [18:0];
+  assign \chain_o$545[1]  = \chain_i$544 [37:19];
+  assign \chain_o$545[2]  = \chain_i$544 [56:38];
+  assign \chain_o$545[3]  = \chain_i$544 [75:57];
+  assign \write$548.addr  = \$70 ;
+  assign \write$548.data  = \$72 [519:448];
+  assign \control$550.en  = control[0];
+  assign \control$550.first  = control[1];
+  assign \control$550.last  = control[2];
+  assign \control$550.edge  = control[3];
+  assign \control$550.tile  = control[7:4];
+  assign \chain_i$552[0]  = \chain_i$552 [18:0];
+  assign \chain_i$552[1]  = \chain_i$552 [37:19];
+  assign \chain_i$552[2]  = \chain_i$552 [56:38];
+  assign \chain_i$552[3]  = \chain_i$552 [75:57];
+  assign \chain_o$553[0]  = \chain_i$552 [18:0];
+  assign \chain_o$553[1]  = \chain_i$552 [37:19];
+  assign \chain_o$553[2]  = \chain_i$552 [56:38];
+  assign \chain_o$553[3]  = \chain_i$552 [75:57];
+  assign \write$556.addr  = \$70 ;
+  assign \write$556.data  = \$72 [519:448];
+  assign \control$558.en  = control[0];
+  assign \control$558.first  = control[1];
+  assign \control$558.last  = control[2];
+  assign \control$558.edge  = control[3];
+  assign \control$558.tile  = control[7:4];
+  assign \chain_i$560[0]  = \chain_i$560 [18:0];
+  assign \chain_i$560[1]  = \chain_i$560 [37:19];
+  assign \chain_i$560[2]  = \chain_i$560 [56:38];
+  assign \chain_i$560[3]  = \chain_i$560 [75:57];
+  assign \chain_o$561[0]  = \chain_i$560 [18:0];
+  assign \chain_o$561[1]  = \chain_i$560 [37:19];
+  assign \chain_o$561[2]  = \chain_i$560 [56:38];
+  assign \chain_o$561[3]  = \chain_i$560 [75:57];
+  assign \write$564.addr  = \$70 ;
+  assign \write$564.data  = \$72 [519:448];
+  assign \control$566.en  = control[0];
+  assign \control$566.first  = control[1];
+  assign \control$566.last  = control[2];
+  assign \control$566.edge  = control[3];
+  assign \control$566.tile  = control[7:4];
+  assign \chain_i$568[0]  = \chain_i$568 [18:0];
+  assign \chain_i$568[1]  = \chain_i$568 [37:19];
+  assign \chain_i$568[2]  = \chain_i$568 [56:38];
+  assign \chain_i$568[3]  = \chain_i$568 [75:57];
+  assign \chain_o$569[0]  = \chain_i$568 [18:0];
+  assign \chain_o$569[1]  = \chain_i$568 [37:19];
+  assign \chain_o$569[2]  = \chain_i$568 [56:38];
+  assign \chain_o$569[3]  = \chain_i$568 [75:57];
+  assign \write$572.addr  = \$70 ;
+  assign \write$572.data  = \$72 [519:448];
+  assign \control$574.en  = control[0];
+  assign \control$574.first  = control[1];
+  assign \control$574.last  = control[2];
+  assign \control$574.edge  = control[3];
+  assign \control$574.tile  = control[7:4];
+  assign \chain_i$576[0]  = \chain_i$576 [18:0];
+  assign \chain_i$576[1]  = \chain_i$576 [37:19];
+  assign \chain_i$576[2]  = \chain_i$576 [56:38];
+  assign \chain_i$576[3]  = \chain_i$576 [75:57];
+  assign \chain_o$577[0]  = \chain_i$576 [18:0];
+  assign \chain_o$577[1]  = \chain_i$576 [37:19];
+  assign \chain_o$577[2]  = \chain_i$576 [56:38];
+  assign \chain_o$577[3]  = \chain_i$576 [75:57];
+  assign \write$580.addr  = \$70 ;
+  assign \write$580.data  = \$72 [519:448];
+  assign \control$582.en  = control[0];
+  assign \control$582.first  = control[1];
+  assign \control$582.last  = control[2];
+  assign \control$582.edge  = control[3];
+  assign \control$582.tile  = control[7:4];
+  assign \write$586.addr  = \$70 ;
+  assign \write$586.data  = \$72 [519:448];
+  assign \control$588.en  = control[0];
+  assign \control$588.first  = control[1];
+  assign \control$588.last  = control[2];
+  assign \control$588.edge  = control[3];
+  assign \control$588.tile  = control[7:4];
+  assign \write$592.addr  = \$70 ;
+  assign \write$592.data  = \$72 [519:448];
+  assign \control$594.en  = control[0];
+  assign \control$594.first  = control[1];
+  assign \control$594.last  = control[2];
+  assign \control$594.edge  = control[3];
+  assign \control$594.tile  = control[7:4];
+  assign \write$598.addr  = \$70 ;
+  assign \write$598.data  = \$72 [519:448];
+  assign \control$600.en  = control[0];
+  assign \control$600.first  = control[1];
+  assign \control$600.last  = control[2];
+  assign \control$600.edge  = control[3];
+  assign \control$600.tile  = control[7:4];
   assign \control0.en  = control0[0];
   assign \control0.first  = control0[1];
   assign \control0.last  = control0[2];
@@ -5167,18 +5172,13 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \info1.tile_last  = info1[4];
   assign \info1.slots  = info1[8:5];
   assign \info1.image_last  = info1[9];
-  assign \control2.en  = control2[0];
-  assign \control2.first  = control2[1];
-  assign \control2.last  = control2[2];
-  assign \control2.edge  = control2[3];
-  assign \control2.tile  = control2[7:4];
   assign \info2.tile  = info2[3:0];
   assign \info2.tile_last  = info2[4];
   assign \info2.slots  = info2[8:5];
   assign \info2.image_last  = info2[9];
-  assign heads[303:228] = \chain_o$126 ;
-  assign heads[227:152] = \chain_o$117 ;
-  assign heads[151:76] = \chain_o$108 ;
+  assign heads[303:228] = \chain_o$127 ;
+  assign heads[227:152] = \chain_o$118 ;
+  assign heads[151:76] = \chain_o$109 ;
   assign heads[75:0] = chain_o;
 endmodule
 
