@@ -1,69 +1,73 @@
 
 module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weight);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
-  wire [8:0] \$1 ;
-  wire [9:0] \$10 ;
-  wire [8:0] \$11 ;
-  wire [8:0] \$12 ;
-  wire [9:0] \$13 ;
-  wire [10:0] \$14 ;
-  wire [8:0] \$15 ;
-  wire [8:0] \$16 ;
-  wire [9:0] \$17 ;
-  wire [8:0] \$18 ;
-  wire [8:0] \$19 ;
-  wire [8:0] \$2 ;
-  wire [9:0] \$20 ;
-  wire [10:0] \$21 ;
-  wire [8:0] \$22 ;
-  wire [8:0] \$23 ;
-  wire [9:0] \$24 ;
-  wire [8:0] \$25 ;
-  wire [8:0] \$26 ;
-  wire [9:0] \$27 ;
-  wire [10:0] \$28 ;
-  wire [8:0] \$29 ;
-  wire [9:0] \$3 ;
-  wire [8:0] \$30 ;
-  wire [9:0] \$31 ;
-  wire [8:0] \$32 ;
-  wire [8:0] \$33 ;
-  wire [9:0] \$34 ;
-  wire [10:0] \$35 ;
-  wire [8:0] \$36 ;
-  wire [8:0] \$37 ;
-  wire [9:0] \$38 ;
-  wire [8:0] \$39 ;
-  wire [8:0] \$4 ;
-  wire [8:0] \$40 ;
-  wire [9:0] \$41 ;
-  wire [10:0] \$42 ;
-  wire [18:0] \$43 ;
-  wire [10:0] \$44 ;
-  wire [19:0] \$45 ;
-  wire [18:0] \$46 ;
-  wire [18:0] \$47 ;
-  wire [19:0] \$48 ;
-  wire [18:0] \$49 ;
-  wire [8:0] \$5 ;
-  wire [19:0] \$50 ;
-  wire [18:0] \$51 ;
-  wire [19:0] \$52 ;
-  wire [18:0] \$53 ;
-  wire [19:0] \$54 ;
-  wire [18:0] \$55 ;
-  wire [19:0] \$56 ;
-  reg [18:0] \$57 ;
-  reg [18:0] \$58 ;
-  reg [18:0] \$59 ;
-  wire [9:0] \$6 ;
-  reg [18:0] \$60 ;
-  reg [18:0] \$61 ;
-  reg [18:0] \$62 ;
-  reg [75:0] \$63 ;
-  wire [10:0] \$7 ;
-  wire [8:0] \$8 ;
-  wire [8:0] \$9 ;
+  wire \$1 ;
+  reg [8:0] \$10 ;
+  reg [8:0] \$11 ;
+  reg [9:0] \$12 ;
+  reg [8:0] \$13 ;
+  reg [9:0] \$14 ;
+  reg [8:0] \$15 ;
+  reg [9:0] \$16 ;
+  reg [8:0] \$17 ;
+  reg [9:0] \$18 ;
+  reg [7:0] \$19 ;
+  wire [18:0] \$2 ;
+  reg [8:0] \$20 ;
+  reg [18:0] \$21 ;
+  reg [18:0] \$22 ;
+  reg [18:0] \$23 ;
+  reg [18:0] \$24 ;
+  reg [18:0] \$25 ;
+  reg [18:0] \$26 ;
+  reg [75:0] \$27 ;
+  wire [18:0] \$3 ;
+  wire [18:0] \$4 ;
+  wire [18:0] \$5 ;
+  wire \$6 ;
+  wire \$7 ;
+  reg [7:0] \$8 ;
+  reg [7:0] \$9 ;
+  reg [7:0] \$signal  = 8'h00;
+  wire \$signal.edge ;
+  wire \$signal.en ;
+  wire \$signal.first ;
+  wire \$signal.last ;
+  wire [3:0] \$signal.tile ;
+  wire [4:0] \$signature__addr ;
+  wire [4:0] \$signature__addr$143 ;
+  wire [18:0] \$signature__data ;
+  wire [18:0] \$signature__data$145 ;
+  wire [7:0] a;
+  wire [8:0] \a$102 ;
+  wire [8:0] \a$105 ;
+  wire [9:0] \a$108 ;
+  wire [8:0] \a$112 ;
+  wire [8:0] \a$115 ;
+  wire [9:0] \a$118 ;
+  wire [7:0] \a$122 ;
+  wire [7:0] \a$125 ;
+  wire [8:0] \a$128 ;
+  (* init = 19'h00000 *)
+  wire [18:0] \a$132 ;
+  (* init = 19'h00000 *)
+  wire [18:0] \a$140 ;
+  (* init = 19'h00000 *)
+  wire [18:0] \a$148 ;
+  (* init = 19'h00000 *)
+  wire [18:0] \a$151 ;
+  (* init = 19'h00000 *)
+  wire [18:0] \a$154 ;
+  (* init = 19'h00000 *)
+  wire [18:0] \a$157 ;
+  wire [7:0] \a$70 ;
+  wire [8:0] \a$76 ;
+  wire [8:0] \a$82 ;
+  wire [8:0] \a$85 ;
+  wire [9:0] \a$88 ;
+  wire [8:0] \a$92 ;
+  wire [8:0] \a$95 ;
+  wire [9:0] \a$98 ;
   reg [18:0] acc0 = 19'h00000;
   reg [18:0] acc1 = 19'h00000;
   reg [18:0] acc2 = 19'h00000;
@@ -72,10 +76,54 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   reg [18:0] acc5 = 19'h00000;
   input [95:0] activations;
   wire [95:0] activations;
-  wire [3:0] carried__addr;
-  wire [37:0] carried__data;
-  wire [18:0] \carried__data[0] ;
-  wire [18:0] \carried__data[1] ;
+  wire [7:0] b;
+  wire [8:0] \b$103 ;
+  wire [8:0] \b$106 ;
+  wire [9:0] \b$109 ;
+  wire [8:0] \b$113 ;
+  wire [8:0] \b$116 ;
+  wire [9:0] \b$119 ;
+  wire [7:0] \b$123 ;
+  wire [7:0] \b$126 ;
+  wire [8:0] \b$129 ;
+  wire [18:0] \b$133 ;
+  wire [18:0] \b$141 ;
+  wire [18:0] \b$149 ;
+  wire [18:0] \b$152 ;
+  wire [18:0] \b$155 ;
+  wire [18:0] \b$158 ;
+  wire [7:0] \b$72 ;
+  wire [8:0] \b$78 ;
+  wire [8:0] \b$83 ;
+  wire [8:0] \b$86 ;
+  wire [9:0] \b$89 ;
+  wire [8:0] \b$93 ;
+  wire [8:0] \b$96 ;
+  wire [9:0] \b$99 ;
+  wire [7:0] c;
+  wire [9:0] \c$100 ;
+  wire [8:0] \c$104 ;
+  wire [8:0] \c$107 ;
+  wire [9:0] \c$110 ;
+  wire [8:0] \c$114 ;
+  wire [8:0] \c$117 ;
+  wire [9:0] \c$120 ;
+  wire [7:0] \c$124 ;
+  wire [7:0] \c$127 ;
+  wire [8:0] \c$130 ;
+  wire [18:0] \c$134 ;
+  wire [18:0] \c$142 ;
+  wire [18:0] \c$150 ;
+  wire [18:0] \c$153 ;
+  wire [18:0] \c$156 ;
+  wire [18:0] \c$159 ;
+  wire [7:0] \c$74 ;
+  wire [8:0] \c$80 ;
+  wire [8:0] \c$84 ;
+  wire [8:0] \c$87 ;
+  wire [9:0] \c$90 ;
+  wire [8:0] \c$94 ;
+  wire [8:0] \c$97 ;
   input [75:0] chain_i;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
@@ -97,62 +145,59 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire [18:0] d;
+  wire [18:0] \d$144 ;
   wire done;
-  wire [3:0] kept__addr;
-  wire [37:0] kept__data;
-  wire [18:0] \kept__data[0] ;
-  wire [18:0] \kept__data[1] ;
-  wire kept__en;
   wire [47:0] lanes;
-  wire [47:0] \lanes$11 ;
-  wire [7:0] \lanes$11[0] ;
-  wire [7:0] \lanes$11[1] ;
-  wire [7:0] \lanes$11[2] ;
-  wire [7:0] \lanes$11[3] ;
-  wire [7:0] \lanes$11[4] ;
-  wire [7:0] \lanes$11[5] ;
-  wire [47:0] \lanes$12 ;
-  wire [7:0] \lanes$12[0] ;
-  wire [7:0] \lanes$12[1] ;
-  wire [7:0] \lanes$12[2] ;
-  wire [7:0] \lanes$12[3] ;
-  wire [7:0] \lanes$12[4] ;
-  wire [7:0] \lanes$12[5] ;
-  wire [47:0] \lanes$13 ;
-  wire [7:0] \lanes$13[0] ;
-  wire [7:0] \lanes$13[1] ;
-  wire [7:0] \lanes$13[2] ;
-  wire [7:0] \lanes$13[3] ;
-  wire [7:0] \lanes$13[4] ;
-  wire [7:0] \lanes$13[5] ;
-  wire [47:0] \lanes$14 ;
-  wire [7:0] \lanes$14[0] ;
-  wire [7:0] \lanes$14[1] ;
-  wire [7:0] \lanes$14[2] ;
-  wire [7:0] \lanes$14[3] ;
-  wire [7:0] \lanes$14[4] ;
-  wire [7:0] \lanes$14[5] ;
-  wire [47:0] \lanes$15 ;
-  wire [7:0] \lanes$15[0] ;
-  wire [7:0] \lanes$15[1] ;
-  wire [7:0] \lanes$15[2] ;
-  wire [7:0] \lanes$15[3] ;
-  wire [7:0] \lanes$15[4] ;
-  wire [7:0] \lanes$15[5] ;
-  wire [47:0] \lanes$16 ;
-  wire [7:0] \lanes$16[0] ;
-  wire [7:0] \lanes$16[1] ;
-  wire [7:0] \lanes$16[2] ;
-  wire [7:0] \lanes$16[3] ;
-  wire [7:0] \lanes$16[4] ;
-  wire [7:0] \lanes$16[5] ;
-  wire [47:0] \lanes$17 ;
-  wire [7:0] \lanes$17[0] ;
-  wire [7:0] \lanes$17[1] ;
-  wire [7:0] \lanes$17[2] ;
-  wire [7:0] \lanes$17[3] ;
-  wire [7:0] \lanes$17[4] ;
-  wire [7:0] \lanes$17[5] ;
+  wire [47:0] \lanes$67 ;
+  wire [7:0] \lanes$67[0] ;
+  wire [7:0] \lanes$67[1] ;
+  wire [7:0] \lanes$67[2] ;
+  wire [7:0] \lanes$67[3] ;
+  wire [7:0] \lanes$67[4] ;
+  wire [7:0] \lanes$67[5] ;
+  wire [47:0] \lanes$69 ;
+  wire [7:0] \lanes$69[0] ;
+  wire [7:0] \lanes$69[1] ;
+  wire [7:0] \lanes$69[2] ;
+  wire [7:0] \lanes$69[3] ;
+  wire [7:0] \lanes$69[4] ;
+  wire [7:0] \lanes$69[5] ;
+  wire [47:0] \lanes$71 ;
+  wire [7:0] \lanes$71[0] ;
+  wire [7:0] \lanes$71[1] ;
+  wire [7:0] \lanes$71[2] ;
+  wire [7:0] \lanes$71[3] ;
+  wire [7:0] \lanes$71[4] ;
+  wire [7:0] \lanes$71[5] ;
+  wire [47:0] \lanes$73 ;
+  wire [7:0] \lanes$73[0] ;
+  wire [7:0] \lanes$73[1] ;
+  wire [7:0] \lanes$73[2] ;
+  wire [7:0] \lanes$73[3] ;
+  wire [7:0] \lanes$73[4] ;
+  wire [7:0] \lanes$73[5] ;
+  wire [47:0] \lanes$75 ;
+  wire [7:0] \lanes$75[0] ;
+  wire [7:0] \lanes$75[1] ;
+  wire [7:0] \lanes$75[2] ;
+  wire [7:0] \lanes$75[3] ;
+  wire [7:0] \lanes$75[4] ;
+  wire [7:0] \lanes$75[5] ;
+  wire [47:0] \lanes$77 ;
+  wire [7:0] \lanes$77[0] ;
+  wire [7:0] \lanes$77[1] ;
+  wire [7:0] \lanes$77[2] ;
+  wire [7:0] \lanes$77[3] ;
+  wire [7:0] \lanes$77[4] ;
+  wire [7:0] \lanes$77[5] ;
+  wire [47:0] \lanes$79 ;
+  wire [7:0] \lanes$79[0] ;
+  wire [7:0] \lanes$79[1] ;
+  wire [7:0] \lanes$79[2] ;
+  wire [7:0] \lanes$79[3] ;
+  wire [7:0] \lanes$79[4] ;
+  wire [7:0] \lanes$79[5] ;
   wire [7:0] \lanes[0] ;
   wire [7:0] \lanes[1] ;
   wire [7:0] \lanes[2] ;
@@ -160,41 +205,41 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire [7:0] \lanes[4] ;
   wire [7:0] \lanes[5] ;
   wire [11:0] pixels;
-  wire [11:0] \pixels$40 ;
-  wire [2:0] \pixels$40[0] ;
-  wire [2:0] \pixels$40[1] ;
-  wire [2:0] \pixels$40[2] ;
-  wire [2:0] \pixels$40[3] ;
-  wire [11:0] \pixels$42 ;
-  wire [2:0] \pixels$42[0] ;
-  wire [2:0] \pixels$42[1] ;
-  wire [2:0] \pixels$42[2] ;
-  wire [2:0] \pixels$42[3] ;
-  wire [11:0] \pixels$44 ;
-  wire [2:0] \pixels$44[0] ;
-  wire [2:0] \pixels$44[1] ;
-  wire [2:0] \pixels$44[2] ;
-  wire [2:0] \pixels$44[3] ;
-  wire [11:0] \pixels$46 ;
-  wire [2:0] \pixels$46[0] ;
-  wire [2:0] \pixels$46[1] ;
-  wire [2:0] \pixels$46[2] ;
-  wire [2:0] \pixels$46[3] ;
-  wire [11:0] \pixels$48 ;
-  wire [2:0] \pixels$48[0] ;
-  wire [2:0] \pixels$48[1] ;
-  wire [2:0] \pixels$48[2] ;
-  wire [2:0] \pixels$48[3] ;
-  wire [11:0] \pixels$50 ;
-  wire [2:0] \pixels$50[0] ;
-  wire [2:0] \pixels$50[1] ;
-  wire [2:0] \pixels$50[2] ;
-  wire [2:0] \pixels$50[3] ;
-  wire [11:0] \pixels$52 ;
-  wire [2:0] \pixels$52[0] ;
-  wire [2:0] \pixels$52[1] ;
-  wire [2:0] \pixels$52[2] ;
-  wire [2:0] \pixels$52[3] ;
+  wire [11:0] \pixels$51 ;
+  wire [2:0] \pixels$51[0] ;
+  wire [2:0] \pixels$51[1] ;
+  wire [2:0] \pixels$51[2] ;
+  wire [2:0] \pixels$51[3] ;
+  wire [11:0] \pixels$53 ;
+  wire [2:0] \pixels$53[0] ;
+  wire [2:0] \pixels$53[1] ;
+  wire [2:0] \pixels$53[2] ;
+  wire [2:0] \pixels$53[3] ;
+  wire [11:0] \pixels$55 ;
+  wire [2:0] \pixels$55[0] ;
+  wire [2:0] \pixels$55[1] ;
+  wire [2:0] \pixels$55[2] ;
+  wire [2:0] \pixels$55[3] ;
+  wire [11:0] \pixels$57 ;
+  wire [2:0] \pixels$57[0] ;
+  wire [2:0] \pixels$57[1] ;
+  wire [2:0] \pixels$57[2] ;
+  wire [2:0] \pixels$57[3] ;
+  wire [11:0] \pixels$59 ;
+  wire [2:0] \pixels$59[0] ;
+  wire [2:0] \pixels$59[1] ;
+  wire [2:0] \pixels$59[2] ;
+  wire [2:0] \pixels$59[3] ;
+  wire [11:0] \pixels$61 ;
+  wire [2:0] \pixels$61[0] ;
+  wire [2:0] \pixels$61[1] ;
+  wire [2:0] \pixels$61[2] ;
+  wire [2:0] \pixels$61[3] ;
+  wire [11:0] \pixels$63 ;
+  wire [2:0] \pixels$63[0] ;
+  wire [2:0] \pixels$63[1] ;
+  wire [2:0] \pixels$63[2] ;
+  wire [2:0] \pixels$63[3] ;
   wire [2:0] \pixels[0] ;
   wire [2:0] \pixels[1] ;
   wire [2:0] \pixels[2] ;
@@ -209,280 +254,807 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire rst;
   input shift;
   wire shift;
-  reg [10:0] sum0 = 11'h000;
-  reg [10:0] sum1 = 11'h000;
-  reg [10:0] sum2 = 11'h000;
-  reg [10:0] sum3 = 11'h000;
-  reg [10:0] sum4 = 11'h000;
-  reg [10:0] sum5 = 11'h000;
+  reg [7:0] sum0_0 = 8'h00;
+  reg [8:0] sum0_1 = 9'h000;
+  reg [8:0] sum1_0 = 9'h000;
+  reg [9:0] sum1_1 = 10'h000;
+  reg [8:0] sum2_0 = 9'h000;
+  reg [9:0] sum2_1 = 10'h000;
+  reg [8:0] sum3_0 = 9'h000;
+  reg [9:0] sum3_1 = 10'h000;
+  reg [8:0] sum4_0 = 9'h000;
+  reg [9:0] sum4_1 = 10'h000;
+  reg [7:0] sum5_0 = 8'h00;
+  reg [8:0] sum5_1 = 9'h000;
   wire [8:0] taps;
-  wire [8:0] \taps$39 ;
-  wire [2:0] \taps$39[0] ;
-  wire [2:0] \taps$39[1] ;
-  wire [2:0] \taps$39[2] ;
-  wire [8:0] \taps$41 ;
-  wire [2:0] \taps$41[0] ;
-  wire [2:0] \taps$41[1] ;
-  wire [2:0] \taps$41[2] ;
-  wire [8:0] \taps$43 ;
-  wire [2:0] \taps$43[0] ;
-  wire [2:0] \taps$43[1] ;
-  wire [2:0] \taps$43[2] ;
-  wire [8:0] \taps$45 ;
-  wire [2:0] \taps$45[0] ;
-  wire [2:0] \taps$45[1] ;
-  wire [2:0] \taps$45[2] ;
-  wire [8:0] \taps$47 ;
-  wire [2:0] \taps$47[0] ;
-  wire [2:0] \taps$47[1] ;
-  wire [2:0] \taps$47[2] ;
-  wire [8:0] \taps$49 ;
-  wire [2:0] \taps$49[0] ;
-  wire [2:0] \taps$49[1] ;
-  wire [2:0] \taps$49[2] ;
-  wire [8:0] \taps$51 ;
-  wire [2:0] \taps$51[0] ;
-  wire [2:0] \taps$51[1] ;
-  wire [2:0] \taps$51[2] ;
+  wire [8:0] \taps$50 ;
+  wire [2:0] \taps$50[0] ;
+  wire [2:0] \taps$50[1] ;
+  wire [2:0] \taps$50[2] ;
+  wire [8:0] \taps$52 ;
+  wire [2:0] \taps$52[0] ;
+  wire [2:0] \taps$52[1] ;
+  wire [2:0] \taps$52[2] ;
+  wire [8:0] \taps$54 ;
+  wire [2:0] \taps$54[0] ;
+  wire [2:0] \taps$54[1] ;
+  wire [2:0] \taps$54[2] ;
+  wire [8:0] \taps$56 ;
+  wire [2:0] \taps$56[0] ;
+  wire [2:0] \taps$56[1] ;
+  wire [2:0] \taps$56[2] ;
+  wire [8:0] \taps$58 ;
+  wire [2:0] \taps$58[0] ;
+  wire [2:0] \taps$58[1] ;
+  wire [2:0] \taps$58[2] ;
+  wire [8:0] \taps$60 ;
+  wire [2:0] \taps$60[0] ;
+  wire [2:0] \taps$60[1] ;
+  wire [2:0] \taps$60[2] ;
+  wire [8:0] \taps$62 ;
+  wire [2:0] \taps$62[0] ;
+  wire [2:0] \taps$62[1] ;
+  wire [2:0] \taps$62[2] ;
   wire [2:0] \taps[0] ;
   wire [2:0] \taps[1] ;
   wire [2:0] \taps[2] ;
-  wire [18:0] total0;
-  wire [18:0] total1;
-  wire [18:0] total2;
-  wire [18:0] total3;
-  wire [18:0] total4;
-  wire [18:0] total5;
+  wire [7:0] total;
+  wire [8:0] \total$101 ;
+  wire [8:0] \total$111 ;
+  wire [8:0] \total$121 ;
+  wire [8:0] \total$13 ;
+  wire [7:0] \total$131 ;
+  wire [8:0] \total$15 ;
+  wire [9:0] \total$17 ;
+  wire [8:0] \total$19 ;
+  wire [9:0] \total$21 ;
+  wire [8:0] \total$23 ;
+  wire [9:0] \total$25 ;
+  wire [8:0] \total$27 ;
+  wire [9:0] \total$29 ;
+  wire [7:0] \total$31 ;
+  wire [8:0] \total$33 ;
+  wire [18:0] \total$36 ;
+  wire [18:0] \total$38 ;
+  wire [18:0] \total$40 ;
+  wire [18:0] \total$42 ;
+  wire [18:0] \total$44 ;
+  wire [18:0] \total$46 ;
+  wire [7:0] \total$81 ;
+  wire [8:0] \total$91 ;
   input [71:0] weight;
   wire [71:0] weight;
   reg [71:0] \weight$8  = 72'h000000000000000000;
-  assign \$37  = $signed(\lanes$12 [47:40]) + $signed(\lanes$13 [47:40]);
-  assign \$38  = $signed(\$36 ) + $signed(\$37 );
-  assign \$39  = $signed(\lanes$14 [47:40]) + $signed(\lanes$15 [47:40]);
-  assign \$40  = $signed(\lanes$16 [47:40]) + $signed(\lanes$17 [47:40]);
-  assign \$41  = $signed(\$39 ) + $signed(\$40 );
-  assign \$42  = $signed(\$38 ) + $signed(\$41 );
-  assign \$43  = control[1] ? carried__data[18:0] : acc0;
-  assign \$44  = control[3] ? 11'h000 : sum0;
-  assign \$45  = $signed(\$43 ) + $signed(\$44 );
-  assign \$46  = control[3] ? 19'h00000 : carried__data[37:19];
-  assign \$47  = control[1] ? \$46  : acc1;
-  assign \$48  = $signed(\$47 ) + $signed(sum1);
-  assign \$49  = control[1] ? 19'h00000 : acc2;
-  assign \$50  = $signed(\$49 ) + $signed(sum2);
-  assign \$51  = control[1] ? 19'h00000 : acc3;
-  assign \$52  = $signed(\$51 ) + $signed(sum3);
-  assign \$53  = control[1] ? 19'h00000 : acc4;
-  assign \$54  = $signed(\$53 ) + $signed(sum4);
-  assign \$55  = control[1] ? 19'h00000 : acc5;
-  assign \$56  = $signed(\$55 ) + $signed(sum5);
-  assign done = control[0] & control[2];
+  wire [4:0] write__addr;
+  wire [4:0] \write__addr$146 ;
+  wire [18:0] write__data;
+  wire [18:0] \write__data$161 ;
+  wire write__en;
+  wire \write__en$147 ;
+  assign \$1  = done | shift;
+  assign \$2  = done ? \total$36  : chain_i[18:0];
+  assign \$3  = done ? \total$38  : chain_i[37:19];
+  assign \$4  = done ? \total$40  : chain_i[56:38];
+  assign \$5  = done ? \total$42  : chain_i[75:57];
+  assign done = \$signal [0] & \$signal [2];
+  assign \$signature__addr  = \$signal [1] ? { 1'h0, \$signal [7:4] } : 5'h10;
+  assign \$6  = ~ \$signal [3];
+  assign \$7  = \$signal [1] & \$6 ;
+  assign \$signature__addr$143  = \$7  ? { 1'h0, \$signal [7:4] } : 5'h10;
   always @(posedge clk)
     \weight$8  <= weight;
   always @(posedge clk)
-    sum0 <= \$7 ;
+    \$signal  <= \$8 ;
   always @(posedge clk)
-    sum1 <= \$14 ;
+    sum0_0 <= \$9 ;
   always @(posedge clk)
-    sum2 <= \$21 ;
+    sum0_1 <= \$10 ;
   always @(posedge clk)
-    sum3 <= \$28 ;
+    sum1_0 <= \$11 ;
   always @(posedge clk)
-    sum4 <= \$35 ;
+    sum1_1 <= \$12 ;
   always @(posedge clk)
-    sum5 <= \$42 ;
+    sum2_0 <= \$13 ;
   always @(posedge clk)
-    acc0 <= \$57 ;
+    sum2_1 <= \$14 ;
   always @(posedge clk)
-    acc1 <= \$58 ;
+    sum3_0 <= \$15 ;
   always @(posedge clk)
-    acc2 <= \$59 ;
+    sum3_1 <= \$16 ;
   always @(posedge clk)
-    acc3 <= \$60 ;
+    sum4_0 <= \$17 ;
   always @(posedge clk)
-    acc4 <= \$61 ;
+    sum4_1 <= \$18 ;
   always @(posedge clk)
-    acc5 <= \$62 ;
+    sum5_0 <= \$19 ;
   always @(posedge clk)
-    chain_o <= \$63 ;
-  assign \$1  = $signed(lanes[7:0]) + $signed(\lanes$11 [7:0]);
-  assign \$2  = $signed(\lanes$12 [7:0]) + $signed(\lanes$13 [7:0]);
-  assign \$3  = $signed(\$1 ) + $signed(\$2 );
-  assign \$4  = $signed(\lanes$14 [7:0]) + $signed(\lanes$15 [7:0]);
-  assign \$5  = $signed(\lanes$16 [7:0]) + $signed(\lanes$17 [7:0]);
-  assign \$6  = $signed(\$4 ) + $signed(\$5 );
-  assign \$7  = $signed(\$3 ) + $signed(\$6 );
-  assign \$8  = $signed(lanes[15:8]) + $signed(\lanes$11 [15:8]);
-  assign \$9  = $signed(\lanes$12 [15:8]) + $signed(\lanes$13 [15:8]);
-  assign \$10  = $signed(\$8 ) + $signed(\$9 );
-  assign \$11  = $signed(\lanes$14 [15:8]) + $signed(\lanes$15 [15:8]);
-  assign \$12  = $signed(\lanes$16 [15:8]) + $signed(\lanes$17 [15:8]);
-  assign \$13  = $signed(\$11 ) + $signed(\$12 );
-  assign \$14  = $signed(\$10 ) + $signed(\$13 );
-  assign \$15  = $signed(lanes[23:16]) + $signed(\lanes$11 [23:16]);
-  assign \$16  = $signed(\lanes$12 [23:16]) + $signed(\lanes$13 [23:16]);
-  assign \$17  = $signed(\$15 ) + $signed(\$16 );
-  assign \$18  = $signed(\lanes$14 [23:16]) + $signed(\lanes$15 [23:16]);
-  assign \$19  = $signed(\lanes$16 [23:16]) + $signed(\lanes$17 [23:16]);
-  assign \$20  = $signed(\$18 ) + $signed(\$19 );
-  assign \$21  = $signed(\$17 ) + $signed(\$20 );
-  assign \$22  = $signed(lanes[31:24]) + $signed(\lanes$11 [31:24]);
-  assign \$23  = $signed(\lanes$12 [31:24]) + $signed(\lanes$13 [31:24]);
-  assign \$24  = $signed(\$22 ) + $signed(\$23 );
-  assign \$25  = $signed(\lanes$14 [31:24]) + $signed(\lanes$15 [31:24]);
-  assign \$26  = $signed(\lanes$16 [31:24]) + $signed(\lanes$17 [31:24]);
-  assign \$27  = $signed(\$25 ) + $signed(\$26 );
-  assign \$28  = $signed(\$24 ) + $signed(\$27 );
-  assign \$29  = $signed(lanes[39:32]) + $signed(\lanes$11 [39:32]);
-  assign \$30  = $signed(\lanes$12 [39:32]) + $signed(\lanes$13 [39:32]);
-  assign \$31  = $signed(\$29 ) + $signed(\$30 );
-  assign \$32  = $signed(\lanes$14 [39:32]) + $signed(\lanes$15 [39:32]);
-  assign \$33  = $signed(\lanes$16 [39:32]) + $signed(\lanes$17 [39:32]);
-  assign \$34  = $signed(\$32 ) + $signed(\$33 );
-  assign \$35  = $signed(\$31 ) + $signed(\$34 );
-  assign \$36  = $signed(lanes[47:40]) + $signed(\lanes$11 [47:40]);
+    sum5_1 <= \$20 ;
+  always @(posedge clk)
+    acc0 <= \$21 ;
+  always @(posedge clk)
+    acc1 <= \$22 ;
+  always @(posedge clk)
+    acc2 <= \$23 ;
+  always @(posedge clk)
+    acc3 <= \$24 ;
+  always @(posedge clk)
+    acc4 <= \$25 ;
+  always @(posedge clk)
+    acc5 <= \$26 ;
+  always @(posedge clk)
+    chain_o <= \$27 ;
+  macram_add3 #(
+    .WIDTH(32'd19),
+    .XILINX(32'd0)
+  ) accumulate0 (
+    .a(acc0),
+    .b({ sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0 }),
+    .c({ sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1 }),
+    .ci(1'h0),
+    .d(d),
+    .sum(\total$36 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd19),
+    .XILINX(32'd0)
+  ) accumulate1 (
+    .a(acc1),
+    .b({ sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0 }),
+    .c({ sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1 }),
+    .ci(1'h0),
+    .d(\d$144 ),
+    .sum(\total$38 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd19),
+    .XILINX(32'd0)
+  ) accumulate2 (
+    .a(acc2),
+    .b({ sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0 }),
+    .c({ sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1 }),
+    .ci(1'h0),
+    .d(19'h00000),
+    .sum(\total$40 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd19),
+    .XILINX(32'd0)
+  ) accumulate3 (
+    .a(acc3),
+    .b({ sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0 }),
+    .c({ sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1 }),
+    .ci(1'h0),
+    .d(19'h00000),
+    .sum(\total$42 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd19),
+    .XILINX(32'd0)
+  ) accumulate4 (
+    .a(acc4),
+    .b({ sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0 }),
+    .c({ sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1 }),
+    .ci(1'h0),
+    .d(19'h00000),
+    .sum(\total$44 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd19),
+    .XILINX(32'd0)
+  ) accumulate5 (
+    .a(acc5),
+    .b({ sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0 }),
+    .c({ sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1 }),
+    .ci(1'h0),
+    .d(19'h00000),
+    .sum(\total$46 ),
+    .x(1'h0)
+  );
   macram_lutram #(
-    .ADDR_BITS(32'd4),
-    .DEPTH(32'd16),
+    .ADDR_BITS(32'd5),
+    .DEPTH(32'd17),
     .INIT_FILE(),
     .LANES(32'd1),
-    .WIDTH(32'd38)
-  ) carry (
+    .WIDTH(32'd19)
+  ) carry0 (
     .clk(clk),
-    .read_addr(control[7:4]),
-    .read_data(carried__data),
-    .write_addr(control[7:4]),
-    .write_data(kept__data),
+    .read_addr(\$signature__addr ),
+    .read_data(d),
+    .write_addr({ 1'h0, \$signal [7:4] }),
+    .write_data(\total$44 ),
+    .write_en(done)
+  );
+  macram_lutram #(
+    .ADDR_BITS(32'd5),
+    .DEPTH(32'd17),
+    .INIT_FILE(),
+    .LANES(32'd1),
+    .WIDTH(32'd19)
+  ) carry1 (
+    .clk(clk),
+    .read_addr(\$signature__addr$143 ),
+    .read_data(\d$144 ),
+    .write_addr({ 1'h0, \$signal [7:4] }),
+    .write_data(\total$46 ),
     .write_en(done)
   );
   \macram_unit.engine0  engine0 (
     .clk(clk),
     .lanes(lanes),
-    .pixels(pixels),
+    .\port$0$122 (activations[50:48]),
+    .\port$0$146 (activations[74:72]),
+    .\port$0$74 (activations[2:0]),
+    .\port$0$98 (activations[26:24]),
     .rst(rst),
     .taps(\weight$8 [8:0])
   );
   \macram_unit.engine1  engine1 (
     .clk(clk),
-    .lanes(\lanes$11 ),
-    .pixels(\pixels$40 ),
+    .lanes(\lanes$67 ),
+    .\port$0$101 (activations[29:27]),
+    .\port$0$125 (activations[53:51]),
+    .\port$0$149 (activations[77:75]),
+    .\port$0$77 (activations[5:3]),
     .rst(rst),
     .taps(\weight$8 [17:9])
   );
   \macram_unit.engine2  engine2 (
     .clk(clk),
-    .lanes(\lanes$12 ),
-    .pixels(\pixels$42 ),
+    .lanes(\lanes$69 ),
+    .\port$0$104 (activations[32:30]),
+    .\port$0$128 (activations[56:54]),
+    .\port$0$152 (activations[80:78]),
+    .\port$0$80 (activations[8:6]),
     .rst(rst),
     .taps(\weight$8 [26:18])
   );
   \macram_unit.engine3  engine3 (
     .clk(clk),
-    .lanes(\lanes$13 ),
-    .pixels(\pixels$44 ),
+    .lanes(\lanes$71 ),
+    .\port$0$107 (activations[35:33]),
+    .\port$0$131 (activations[59:57]),
+    .\port$0$155 (activations[83:81]),
+    .\port$0$83 (activations[11:9]),
     .rst(rst),
     .taps(\weight$8 [35:27])
   );
   \macram_unit.engine4  engine4 (
     .clk(clk),
-    .lanes(\lanes$14 ),
-    .pixels(\pixels$46 ),
+    .lanes(\lanes$73 ),
+    .\port$0$110 (activations[38:36]),
+    .\port$0$134 (activations[62:60]),
+    .\port$0$158 (activations[86:84]),
+    .\port$0$86 (activations[14:12]),
     .rst(rst),
     .taps(\weight$8 [44:36])
   );
   \macram_unit.engine5  engine5 (
     .clk(clk),
-    .lanes(\lanes$15 ),
-    .pixels(\pixels$48 ),
+    .lanes(\lanes$75 ),
+    .\port$0$113 (activations[41:39]),
+    .\port$0$137 (activations[65:63]),
+    .\port$0$161 (activations[89:87]),
+    .\port$0$89 (activations[17:15]),
     .rst(rst),
     .taps(\weight$8 [53:45])
   );
   \macram_unit.engine6  engine6 (
     .clk(clk),
-    .lanes(\lanes$16 ),
-    .pixels(\pixels$50 ),
+    .lanes(\lanes$77 ),
+    .\port$0$116 (activations[44:42]),
+    .\port$0$140 (activations[68:66]),
+    .\port$0$164 (activations[92:90]),
+    .\port$0$92 (activations[20:18]),
     .rst(rst),
     .taps(\weight$8 [62:54])
   );
   \macram_unit.engine7  engine7 (
     .clk(clk),
-    .lanes(\lanes$17 ),
-    .pixels(\pixels$52 ),
+    .lanes(\lanes$79 ),
+    .\port$0$119 (activations[47:45]),
+    .\port$0$143 (activations[71:69]),
+    .\port$0$167 (activations[95:93]),
+    .\port$0$95 (activations[23:21]),
     .rst(rst),
     .taps(\weight$8 [71:63])
   );
+  macram_add3 #(
+    .WIDTH(32'd9),
+    .XILINX(32'd0)
+  ) lane0_add1 (
+    .a({ \lanes$77 [5], \lanes$77 [5], \lanes$77 [5], \lanes$77 [5:0] }),
+    .b({ \lanes$79 [5], \lanes$79 [5], \lanes$79 [5], \lanes$79 [5:0] }),
+    .c({ \total$81 [7], \total$81  }),
+    .ci(1'h0),
+    .d(9'h000),
+    .sum(\total$13 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd8),
+    .XILINX(32'd0)
+  ) lane0_add3 (
+    .a({ \lanes$71 [5], \lanes$71 [5], \lanes$71 [5:0] }),
+    .b({ \lanes$73 [5], \lanes$73 [5], \lanes$73 [5:0] }),
+    .c({ \lanes$75 [5], \lanes$75 [5], \lanes$75 [5:0] }),
+    .ci(1'h0),
+    .d(8'h00),
+    .sum(total),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd8),
+    .XILINX(32'd0)
+  ) lane0_add5 (
+    .a({ lanes[5], lanes[5], lanes[5:0] }),
+    .b({ \lanes$67 [5], \lanes$67 [5], \lanes$67 [5:0] }),
+    .c({ \lanes$69 [5], \lanes$69 [5], \lanes$69 [5:0] }),
+    .ci(1'h0),
+    .d(8'h00),
+    .sum(\total$81 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd10),
+    .XILINX(32'd0)
+  ) lane1_add1 (
+    .a({ \lanes$77 [14], \lanes$77 [14], \lanes$77 [14], \lanes$77 [14:8] }),
+    .b({ \lanes$79 [14], \lanes$79 [14], \lanes$79 [14], \lanes$79 [14:8] }),
+    .c({ \total$91 [8], \total$91  }),
+    .ci(1'h0),
+    .d(10'h000),
+    .sum(\total$17 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd9),
+    .XILINX(32'd0)
+  ) lane1_add3 (
+    .a({ \lanes$71 [14], \lanes$71 [14], \lanes$71 [14:8] }),
+    .b({ \lanes$73 [14], \lanes$73 [14], \lanes$73 [14:8] }),
+    .c({ \lanes$75 [14], \lanes$75 [14], \lanes$75 [14:8] }),
+    .ci(1'h0),
+    .d(9'h000),
+    .sum(\total$15 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd9),
+    .XILINX(32'd0)
+  ) lane1_add5 (
+    .a({ lanes[14], lanes[14], lanes[14:8] }),
+    .b({ \lanes$67 [14], \lanes$67 [14], \lanes$67 [14:8] }),
+    .c({ \lanes$69 [14], \lanes$69 [14], \lanes$69 [14:8] }),
+    .ci(1'h0),
+    .d(9'h000),
+    .sum(\total$91 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd10),
+    .XILINX(32'd0)
+  ) lane2_add1 (
+    .a({ \lanes$77 [23], \lanes$77 [23], \lanes$77 [23:16] }),
+    .b({ \lanes$79 [23], \lanes$79 [23], \lanes$79 [23:16] }),
+    .c({ \total$101 [8], \total$101  }),
+    .ci(1'h0),
+    .d(10'h000),
+    .sum(\total$21 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd9),
+    .XILINX(32'd0)
+  ) lane2_add3 (
+    .a({ \lanes$71 [23], \lanes$71 [23:16] }),
+    .b({ \lanes$73 [23], \lanes$73 [23:16] }),
+    .c({ \lanes$75 [23], \lanes$75 [23:16] }),
+    .ci(1'h0),
+    .d(9'h000),
+    .sum(\total$19 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd9),
+    .XILINX(32'd0)
+  ) lane2_add5 (
+    .a({ lanes[23], lanes[23:16] }),
+    .b({ \lanes$67 [23], \lanes$67 [23:16] }),
+    .c({ \lanes$69 [23], \lanes$69 [23:16] }),
+    .ci(1'h0),
+    .d(9'h000),
+    .sum(\total$101 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd10),
+    .XILINX(32'd0)
+  ) lane3_add1 (
+    .a({ \lanes$77 [31], \lanes$77 [31], \lanes$77 [31:24] }),
+    .b({ \lanes$79 [31], \lanes$79 [31], \lanes$79 [31:24] }),
+    .c({ \total$111 [8], \total$111  }),
+    .ci(1'h0),
+    .d(10'h000),
+    .sum(\total$25 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd9),
+    .XILINX(32'd0)
+  ) lane3_add3 (
+    .a({ \lanes$71 [31], \lanes$71 [31:24] }),
+    .b({ \lanes$73 [31], \lanes$73 [31:24] }),
+    .c({ \lanes$75 [31], \lanes$75 [31:24] }),
+    .ci(1'h0),
+    .d(9'h000),
+    .sum(\total$23 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd9),
+    .XILINX(32'd0)
+  ) lane3_add5 (
+    .a({ lanes[31], lanes[31:24] }),
+    .b({ \lanes$67 [31], \lanes$67 [31:24] }),
+    .c({ \lanes$69 [31], \lanes$69 [31:24] }),
+    .ci(1'h0),
+    .d(9'h000),
+    .sum(\total$111 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd10),
+    .XILINX(32'd0)
+  ) lane4_add1 (
+    .a({ \lanes$77 [38], \lanes$77 [38], \lanes$77 [38], \lanes$77 [38:32] }),
+    .b({ \lanes$79 [38], \lanes$79 [38], \lanes$79 [38], \lanes$79 [38:32] }),
+    .c({ \total$121 [8], \total$121  }),
+    .ci(1'h0),
+    .d(10'h000),
+    .sum(\total$29 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd9),
+    .XILINX(32'd0)
+  ) lane4_add3 (
+    .a({ \lanes$71 [38], \lanes$71 [38], \lanes$71 [38:32] }),
+    .b({ \lanes$73 [38], \lanes$73 [38], \lanes$73 [38:32] }),
+    .c({ \lanes$75 [38], \lanes$75 [38], \lanes$75 [38:32] }),
+    .ci(1'h0),
+    .d(9'h000),
+    .sum(\total$27 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd9),
+    .XILINX(32'd0)
+  ) lane4_add5 (
+    .a({ lanes[38], lanes[38], lanes[38:32] }),
+    .b({ \lanes$67 [38], \lanes$67 [38], \lanes$67 [38:32] }),
+    .c({ \lanes$69 [38], \lanes$69 [38], \lanes$69 [38:32] }),
+    .ci(1'h0),
+    .d(9'h000),
+    .sum(\total$121 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd9),
+    .XILINX(32'd0)
+  ) lane5_add1 (
+    .a({ \lanes$77 [45], \lanes$77 [45], \lanes$77 [45], \lanes$77 [45:40] }),
+    .b({ \lanes$79 [45], \lanes$79 [45], \lanes$79 [45], \lanes$79 [45:40] }),
+    .c({ \total$131 [7], \total$131  }),
+    .ci(1'h0),
+    .d(9'h000),
+    .sum(\total$33 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd8),
+    .XILINX(32'd0)
+  ) lane5_add3 (
+    .a({ \lanes$71 [45], \lanes$71 [45], \lanes$71 [45:40] }),
+    .b({ \lanes$73 [45], \lanes$73 [45], \lanes$73 [45:40] }),
+    .c({ \lanes$75 [45], \lanes$75 [45], \lanes$75 [45:40] }),
+    .ci(1'h0),
+    .d(8'h00),
+    .sum(\total$31 ),
+    .x(1'h0)
+  );
+  macram_add3 #(
+    .WIDTH(32'd8),
+    .XILINX(32'd0)
+  ) lane5_add5 (
+    .a({ lanes[45], lanes[45], lanes[45:40] }),
+    .b({ \lanes$67 [45], \lanes$67 [45], \lanes$67 [45:40] }),
+    .c({ \lanes$69 [45], \lanes$69 [45], \lanes$69 [45:40] }),
+    .ci(1'h0),
+    .d(8'h00),
+    .sum(\total$131 ),
+    .x(1'h0)
+  );
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$57  = acc0;
-    if (control[0]) begin
-      \$57  = \$45 [18:0];
+    \$8  = control;
+    if (rst) begin
+      \$8  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$58  = acc1;
-    if (control[0]) begin
-      \$58  = \$48 [18:0];
+    \$9  = total;
+    if (control[3]) begin
+      \$9  = 8'h00;
+    end
+    if (rst) begin
+      \$9  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$59  = acc2;
-    if (control[0]) begin
-      \$59  = \$50 [18:0];
+    \$10  = \total$13 ;
+    if (control[3]) begin
+      \$10  = 9'h000;
+    end
+    if (rst) begin
+      \$10  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$60  = acc3;
-    if (control[0]) begin
-      \$60  = \$52 [18:0];
+    \$11  = \total$15 ;
+    if (rst) begin
+      \$11  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$61  = acc4;
-    if (control[0]) begin
-      \$61  = \$54 [18:0];
+    \$12  = \total$17 ;
+    if (rst) begin
+      \$12  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$62  = acc5;
-    if (control[0]) begin
-      \$62  = \$56 [18:0];
+    \$13  = \total$19 ;
+    if (rst) begin
+      \$13  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$63  = chain_o;
+    \$14  = \total$21 ;
+    if (rst) begin
+      \$14  = 10'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$15  = \total$23 ;
+    if (rst) begin
+      \$15  = 9'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$16  = \total$25 ;
+    if (rst) begin
+      \$16  = 10'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$17  = \total$27 ;
+    if (rst) begin
+      \$17  = 9'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$18  = \total$29 ;
+    if (rst) begin
+      \$18  = 10'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$19  = \total$31 ;
+    if (rst) begin
+      \$19  = 8'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$20  = \total$33 ;
+    if (rst) begin
+      \$20  = 9'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$21  = acc0;
     if (done) begin
-      \$63 [18:0] = \$45 [18:0];
-      \$63 [37:19] = \$48 [18:0];
-      \$63 [56:38] = \$50 [18:0];
-      \$63 [75:57] = \$52 [18:0];
-    end else if (shift) begin
-      \$63  = chain_i;
+      \$21  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$21  = \total$36 ;
+    end
+    if (rst) begin
+      \$21  = 19'h00000;
     end
   end
-  assign total0 = \$45 [18:0];
-  assign total1 = \$48 [18:0];
-  assign total2 = \$50 [18:0];
-  assign total3 = \$52 [18:0];
-  assign total4 = \$54 [18:0];
-  assign total5 = \$56 [18:0];
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$22  = acc1;
+    if (done) begin
+      \$22  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$22  = \total$38 ;
+    end
+    if (rst) begin
+      \$22  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$23  = acc2;
+    if (done) begin
+      \$23  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$23  = \total$40 ;
+    end
+    if (rst) begin
+      \$23  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$24  = acc3;
+    if (done) begin
+      \$24  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$24  = \total$42 ;
+    end
+    if (rst) begin
+      \$24  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$25  = acc4;
+    if (done) begin
+      \$25  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$25  = \total$44 ;
+    end
+    if (rst) begin
+      \$25  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$26  = acc5;
+    if (done) begin
+      \$26  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$26  = \total$46 ;
+    end
+    if (rst) begin
+      \$26  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$27  = chain_o;
+    if (\$1 ) begin
+      \$27 [18:0] = \$2 ;
+      \$27 [37:19] = \$3 ;
+      \$27 [56:38] = \$4 ;
+      \$27 [75:57] = \$5 ;
+    end
+  end
   assign result = chain_o;
   assign taps = \weight$8 [8:0];
-  assign \taps$39  = \weight$8 [17:9];
-  assign \taps$41  = \weight$8 [26:18];
-  assign \taps$43  = \weight$8 [35:27];
-  assign \taps$45  = \weight$8 [44:36];
-  assign \taps$47  = \weight$8 [53:45];
-  assign \taps$49  = \weight$8 [62:54];
-  assign \taps$51  = \weight$8 [71:63];
-  assign carried__addr = control[7:4];
-  assign kept__addr = control[7:4];
-  assign kept__en = done;
+  assign pixels = { activations[74:72], activations[50:48], activations[26:24], activations[2:0] };
+  assign \taps$50  = \weight$8 [17:9];
+  assign \pixels$51  = { activations[77:75], activations[53:51], activations[29:27], activations[5:3] };
+  assign \taps$52  = \weight$8 [26:18];
+  assign \pixels$53  = { activations[80:78], activations[56:54], activations[32:30], activations[8:6] };
+  assign \taps$54  = \weight$8 [35:27];
+  assign \pixels$55  = { activations[83:81], activations[59:57], activations[35:33], activations[11:9] };
+  assign \taps$56  = \weight$8 [44:36];
+  assign \pixels$57  = { activations[86:84], activations[62:60], activations[38:36], activations[14:12] };
+  assign \taps$58  = \weight$8 [53:45];
+  assign \pixels$59  = { activations[89:87], activations[65:63], activations[41:39], activations[17:15] };
+  assign \taps$60  = \weight$8 [62:54];
+  assign \pixels$61  = { activations[92:90], activations[68:66], activations[44:42], activations[20:18] };
+  assign \taps$62  = \weight$8 [71:63];
+  assign \pixels$63  = { activations[95:93], activations[71:69], activations[47:45], activations[23:21] };
+  assign a = { lanes[5], lanes[5], lanes[5:0] };
+  assign b = { \lanes$67 [5], \lanes$67 [5], \lanes$67 [5:0] };
+  assign c = { \lanes$69 [5], \lanes$69 [5], \lanes$69 [5:0] };
+  assign \a$70  = { \lanes$71 [5], \lanes$71 [5], \lanes$71 [5:0] };
+  assign \b$72  = { \lanes$73 [5], \lanes$73 [5], \lanes$73 [5:0] };
+  assign \c$74  = { \lanes$75 [5], \lanes$75 [5], \lanes$75 [5:0] };
+  assign \a$76  = { \lanes$77 [5], \lanes$77 [5], \lanes$77 [5], \lanes$77 [5:0] };
+  assign \b$78  = { \lanes$79 [5], \lanes$79 [5], \lanes$79 [5], \lanes$79 [5:0] };
+  assign \c$80  = { \total$81 [7], \total$81  };
+  assign \a$82  = { lanes[14], lanes[14], lanes[14:8] };
+  assign \b$83  = { \lanes$67 [14], \lanes$67 [14], \lanes$67 [14:8] };
+  assign \c$84  = { \lanes$69 [14], \lanes$69 [14], \lanes$69 [14:8] };
+  assign \a$85  = { \lanes$71 [14], \lanes$71 [14], \lanes$71 [14:8] };
+  assign \b$86  = { \lanes$73 [14], \lanes$73 [14], \lanes$73 [14:8] };
+  assign \c$87  = { \lanes$75 [14], \lanes$75 [14], \lanes$75 [14:8] };
+  assign \a$88  = { \lanes$77 [14], \lanes$77 [14], \lanes$77 [14], \lanes$77 [14:8] };
+  assign \b$89  = { \lanes$79 [14], \lanes$79 [14], \lanes$79 [14], \lanes$79 [14:8] };
+  assign \c$90  = { \total$91 [8], \total$91  };
+  assign \a$92  = { lanes[23], lanes[23:16] };
+  assign \b$93  = { \lanes$67 [23], \lanes$67 [23:16] };
+  assign \c$94  = { \lanes$69 [23], \lanes$69 [23:16] };
+  assign \a$95  = { \lanes$71 [23], \lanes$71 [23:16] };
+  assign \b$96  = { \lanes$73 [23], \lanes$73 [23:16] };
+  assign \c$97  = { \lanes$75 [23], \lanes$75 [23:16] };
+  assign \a$98  = { \lanes$77 [23], \lanes$77 [23], \lanes$77 [23:16] };
+  assign \b$99  = { \lanes$79 [23], \lanes$79 [23], \lanes$79 [23:16] };
+  assign \c$100  = { \total$101 [8], \total$101  };
+  assign \a$102  = { lanes[31], lanes[31:24] };
+  assign \b$103  = { \lanes$67 [31], \lanes$67 [31:24] };
+  assign \c$104  = { \lanes$69 [31], \lanes$69 [31:24] };
+  assign \a$105  = { \lanes$71 [31], \lanes$71 [31:24] };
+  assign \b$106  = { \lanes$73 [31], \lanes$73 [31:24] };
+  assign \c$107  = { \lanes$75 [31], \lanes$75 [31:24] };
+  assign \a$108  = { \lanes$77 [31], \lanes$77 [31], \lanes$77 [31:24] };
+  assign \b$109  = { \lanes$79 [31], \lanes$79 [31], \lanes$79 [31:24] };
+  assign \c$110  = { \total$111 [8], \total$111  };
+  assign \a$112  = { lanes[38], lanes[38], lanes[38:32] };
+  assign \b$113  = { \lanes$67 [38], \lanes$67 [38], \lanes$67 [38:32] };
+  assign \c$114  = { \lanes$69 [38], \lanes$69 [38], \lanes$69 [38:32] };
+  assign \a$115  = { \lanes$71 [38], \lanes$71 [38], \lanes$71 [38:32] };
+  assign \b$116  = { \lanes$73 [38], \lanes$73 [38], \lanes$73 [38:32] };
+  assign \c$117  = { \lanes$75 [38], \lanes$75 [38], \lanes$75 [38:32] };
+  assign \a$118  = { \lanes$77 [38], \lanes$77 [38], \lanes$77 [38], \lanes$77 [38:32] };
+  assign \b$119  = { \lanes$79 [38], \lanes$79 [38], \lanes$79 [38], \lanes$79 [38:32] };
+  assign \c$120  = { \total$121 [8], \total$121  };
+  assign \a$122  = { lanes[45], lanes[45], lanes[45:40] };
+  assign \b$123  = { \lanes$67 [45], \lanes$67 [45], \lanes$67 [45:40] };
+  assign \c$124  = { \lanes$69 [45], \lanes$69 [45], \lanes$69 [45:40] };
+  assign \a$125  = { \lanes$71 [45], \lanes$71 [45], \lanes$71 [45:40] };
+  assign \b$126  = { \lanes$73 [45], \lanes$73 [45], \lanes$73 [45:40] };
+  assign \c$127  = { \lanes$75 [45], \lanes$75 [45], \lanes$75 [45:40] };
+  assign \a$128  = { \lanes$77 [45], \lanes$77 [45], \lanes$77 [45], \lanes$77 [45:40] };
+  assign \b$129  = { \lanes$79 [45], \lanes$79 [45], \lanes$79 [45], \lanes$79 [45:40] };
+  assign \c$130  = { \total$131 [7], \total$131  };
+  assign \a$132  = acc0;
+  assign \b$133  = { sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0 };
+  assign \c$134  = { sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1 };
+  assign \$signature__data  = d;
+  assign write__addr = { 1'h0, \$signal [7:4] };
+  assign write__en = done;
+  assign \a$140  = acc1;
+  assign \b$141  = { sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0 };
+  assign \c$142  = { sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1 };
+  assign \$signature__data$145  = \d$144 ;
+  assign \write__addr$146  = { 1'h0, \$signal [7:4] };
+  assign \write__en$147  = done;
+  assign \a$148  = acc2;
+  assign \b$149  = { sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0 };
+  assign \c$150  = { sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1 };
+  assign \a$151  = acc3;
+  assign \b$152  = { sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0[8], sum3_0 };
+  assign \c$153  = { sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1 };
+  assign \a$154  = acc4;
+  assign \b$155  = { sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0[8], sum4_0 };
+  assign \c$156  = { sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1 };
+  assign \a$157  = acc5;
+  assign \b$158  = { sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0 };
+  assign \c$159  = { sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1 };
+  assign write__data = \total$44 ;
+  assign \write__data$161  = \total$46 ;
   assign \control.en  = control[0];
   assign \control.first  = control[1];
   assign \control.last  = control[2];
@@ -496,54 +1068,11 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   assign \chain_o[1]  = chain_o[37:19];
   assign \chain_o[2]  = chain_o[56:38];
   assign \chain_o[3]  = chain_o[75:57];
-  assign \lanes[0]  = lanes[7:0];
-  assign \lanes[1]  = lanes[15:8];
-  assign \lanes[2]  = lanes[23:16];
-  assign \lanes[3]  = lanes[31:24];
-  assign \lanes[4]  = lanes[39:32];
-  assign \lanes[5]  = lanes[47:40];
-  assign \lanes$11[0]  = \lanes$11 [7:0];
-  assign \lanes$11[1]  = \lanes$11 [15:8];
-  assign \lanes$11[2]  = \lanes$11 [23:16];
-  assign \lanes$11[3]  = \lanes$11 [31:24];
-  assign \lanes$11[4]  = \lanes$11 [39:32];
-  assign \lanes$11[5]  = \lanes$11 [47:40];
-  assign \lanes$12[0]  = \lanes$12 [7:0];
-  assign \lanes$12[1]  = \lanes$12 [15:8];
-  assign \lanes$12[2]  = \lanes$12 [23:16];
-  assign \lanes$12[3]  = \lanes$12 [31:24];
-  assign \lanes$12[4]  = \lanes$12 [39:32];
-  assign \lanes$12[5]  = \lanes$12 [47:40];
-  assign \lanes$13[0]  = \lanes$13 [7:0];
-  assign \lanes$13[1]  = \lanes$13 [15:8];
-  assign \lanes$13[2]  = \lanes$13 [23:16];
-  assign \lanes$13[3]  = \lanes$13 [31:24];
-  assign \lanes$13[4]  = \lanes$13 [39:32];
-  assign \lanes$13[5]  = \lanes$13 [47:40];
-  assign \lanes$14[0]  = \lanes$14 [7:0];
-  assign \lanes$14[1]  = \lanes$14 [15:8];
-  assign \lanes$14[2]  = \lanes$14 [23:16];
-  assign \lanes$14[3]  = \lanes$14 [31:24];
-  assign \lanes$14[4]  = \lanes$14 [39:32];
-  assign \lanes$14[5]  = \lanes$14 [47:40];
-  assign \lanes$15[0]  = \lanes$15 [7:0];
-  assign \lanes$15[1]  = \lanes$15 [15:8];
-  assign \lanes$15[2]  = \lanes$15 [23:16];
-  assign \lanes$15[3]  = \lanes$15 [31:24];
-  assign \lanes$15[4]  = \lanes$15 [39:32];
-  assign \lanes$15[5]  = \lanes$15 [47:40];
-  assign \lanes$16[0]  = \lanes$16 [7:0];
-  assign \lanes$16[1]  = \lanes$16 [15:8];
-  assign \lanes$16[2]  = \lanes$16 [23:16];
-  assign \lanes$16[3]  = \lanes$16 [31:24];
-  assign \lanes$16[4]  = \lanes$16 [39:32];
-  assign \lanes$16[5]  = \lanes$16 [47:40];
-  assign \lanes$17[0]  = \lanes$17 [7:0];
-  assign \lanes$17[1]  = \lanes$17 [15:8];
-  assign \lanes$17[2]  = \lanes$17 [23:16];
-  assign \lanes$17[3]  = \lanes$17 [31:24];
-  assign \lanes$17[4]  = \lanes$17 [39:32];
-  assign \lanes$17[5]  = \lanes$17 [47:40];
+  assign \$signal.en  = \$signal [0];
+  assign \$signal.first  = \$signal [1];
+  assign \$signal.last  = \$signal [2];
+  assign \$signal.edge  = \$signal [3];
+  assign \$signal.tile  = \$signal [7:4];
   assign \result[0]  = chain_o[18:0];
   assign \result[1]  = chain_o[37:19];
   assign \result[2]  = chain_o[56:38];
@@ -551,100 +1080,110 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   assign \taps[0]  = \weight$8 [2:0];
   assign \taps[1]  = \weight$8 [5:3];
   assign \taps[2]  = \weight$8 [8:6];
-  assign \pixels[0]  = pixels[2:0];
-  assign \pixels[1]  = pixels[5:3];
-  assign \pixels[2]  = pixels[8:6];
-  assign \pixels[3]  = pixels[11:9];
-  assign \taps$39[0]  = \weight$8 [11:9];
-  assign \taps$39[1]  = \weight$8 [14:12];
-  assign \taps$39[2]  = \weight$8 [17:15];
-  assign \pixels$40[0]  = \pixels$40 [2:0];
-  assign \pixels$40[1]  = \pixels$40 [5:3];
-  assign \pixels$40[2]  = \pixels$40 [8:6];
-  assign \pixels$40[3]  = \pixels$40 [11:9];
-  assign \taps$41[0]  = \weight$8 [20:18];
-  assign \taps$41[1]  = \weight$8 [23:21];
-  assign \taps$41[2]  = \weight$8 [26:24];
-  assign \pixels$42[0]  = \pixels$42 [2:0];
-  assign \pixels$42[1]  = \pixels$42 [5:3];
-  assign \pixels$42[2]  = \pixels$42 [8:6];
-  assign \pixels$42[3]  = \pixels$42 [11:9];
-  assign \taps$43[0]  = \weight$8 [29:27];
-  assign \taps$43[1]  = \weight$8 [32:30];
-  assign \taps$43[2]  = \weight$8 [35:33];
-  assign \pixels$44[0]  = \pixels$44 [2:0];
-  assign \pixels$44[1]  = \pixels$44 [5:3];
-  assign \pixels$44[2]  = \pixels$44 [8:6];
-  assign \pixels$44[3]  = \pixels$44 [11:9];
-  assign \taps$45[0]  = \weight$8 [38:36];
-  assign \taps$45[1]  = \weight$8 [41:39];
-  assign \taps$45[2]  = \weight$8 [44:42];
-  assign \pixels$46[0]  = \pixels$46 [2:0];
-  assign \pixels$46[1]  = \pixels$46 [5:3];
-  assign \pixels$46[2]  = \pixels$46 [8:6];
-  assign \pixels$46[3]  = \pixels$46 [11:9];
-  assign \taps$47[0]  = \weight$8 [47:45];
-  assign \taps$47[1]  = \weight$8 [50:48];
-  assign \taps$47[2]  = \weight$8 [53:51];
-  assign \pixels$48[0]  = \pixels$48 [2:0];
-  assign \pixels$48[1]  = \pixels$48 [5:3];
-  assign \pixels$48[2]  = \pixels$48 [8:6];
-  assign \pixels$48[3]  = \pixels$48 [11:9];
-  assign \taps$49[0]  = \weight$8 [56:54];
-  assign \taps$49[1]  = \weight$8 [59:57];
-  assign \taps$49[2]  = \weight$8 [62:60];
-  assign \pixels$50[0]  = \pixels$50 [2:0];
-  assign \pixels$50[1]  = \pixels$50 [5:3];
-  assign \pixels$50[2]  = \pixels$50 [8:6];
-  assign \pixels$50[3]  = \pixels$50 [11:9];
-  assign \taps$51[0]  = \weight$8 [65:63];
-  assign \taps$51[1]  = \weight$8 [68:66];
-  assign \taps$51[2]  = \weight$8 [71:69];
-  assign \pixels$52[0]  = \pixels$52 [2:0];
-  assign \pixels$52[1]  = \pixels$52 [5:3];
-  assign \pixels$52[2]  = \pixels$52 [8:6];
-  assign \pixels$52[3]  = \pixels$52 [11:9];
-  assign \carried__data[0]  = carried__data[18:0];
-  assign \carried__data[1]  = carried__data[37:19];
-  assign \kept__data[0]  = kept__data[18:0];
-  assign \kept__data[1]  = kept__data[37:19];
-  assign kept__data[37:19] = \$56 [18:0];
-  assign kept__data[18:0] = \$54 [18:0];
-  assign \pixels$52 [11:9] = activations[95:93];
-  assign \pixels$52 [8:6] = activations[71:69];
-  assign \pixels$52 [5:3] = activations[47:45];
-  assign \pixels$52 [2:0] = activations[23:21];
-  assign \pixels$50 [11:9] = activations[92:90];
-  assign \pixels$50 [8:6] = activations[68:66];
-  assign \pixels$50 [5:3] = activations[44:42];
-  assign \pixels$50 [2:0] = activations[20:18];
-  assign \pixels$48 [11:9] = activations[89:87];
-  assign \pixels$48 [8:6] = activations[65:63];
-  assign \pixels$48 [5:3] = activations[41:39];
-  assign \pixels$48 [2:0] = activations[17:15];
-  assign \pixels$46 [11:9] = activations[86:84];
-  assign \pixels$46 [8:6] = activations[62:60];
-  assign \pixels$46 [5:3] = activations[38:36];
-  assign \pixels$46 [2:0] = activations[14:12];
-  assign \pixels$44 [11:9] = activations[83:81];
-  assign \pixels$44 [8:6] = activations[59:57];
-  assign \pixels$44 [5:3] = activations[35:33];
-  assign \pixels$44 [2:0] = activations[11:9];
-  assign \pixels$42 [11:9] = activations[80:78];
-  assign \pixels$42 [8:6] = activations[56:54];
-  assign \pixels$42 [5:3] = activations[32:30];
-  assign \pixels$42 [2:0] = activations[8:6];
-  assign \pixels$40 [11:9] = activations[77:75];
-  assign \pixels$40 [8:6] = activations[53:51];
-  assign \pixels$40 [5:3] = activations[29:27];
-  assign \pixels$40 [2:0] = activations[5:3];
-  assign pixels[11:9] = activations[74:72];
-  assign pixels[8:6] = activations[50:48];
-  assign pixels[5:3] = activations[26:24];
-  assign pixels[2:0] = activations[2:0];
+  assign \pixels[0]  = activations[2:0];
+  assign \pixels[1]  = activations[26:24];
+  assign \pixels[2]  = activations[50:48];
+  assign \pixels[3]  = activations[74:72];
+  assign \taps$50[0]  = \weight$8 [11:9];
+  assign \taps$50[1]  = \weight$8 [14:12];
+  assign \taps$50[2]  = \weight$8 [17:15];
+  assign \pixels$51[0]  = activations[5:3];
+  assign \pixels$51[1]  = activations[29:27];
+  assign \pixels$51[2]  = activations[53:51];
+  assign \pixels$51[3]  = activations[77:75];
+  assign \taps$52[0]  = \weight$8 [20:18];
+  assign \taps$52[1]  = \weight$8 [23:21];
+  assign \taps$52[2]  = \weight$8 [26:24];
+  assign \pixels$53[0]  = activations[8:6];
+  assign \pixels$53[1]  = activations[32:30];
+  assign \pixels$53[2]  = activations[56:54];
+  assign \pixels$53[3]  = activations[80:78];
+  assign \taps$54[0]  = \weight$8 [29:27];
+  assign \taps$54[1]  = \weight$8 [32:30];
+  assign \taps$54[2]  = \weight$8 [35:33];
+  assign \pixels$55[0]  = activations[11:9];
+  assign \pixels$55[1]  = activations[35:33];
+  assign \pixels$55[2]  = activations[59:57];
+  assign \pixels$55[3]  = activations[83:81];
+  assign \taps$56[0]  = \weight$8 [38:36];
+  assign \taps$56[1]  = \weight$8 [41:39];
+  assign \taps$56[2]  = \weight$8 [44:42];
+  assign \pixels$57[0]  = activations[14:12];
+  assign \pixels$57[1]  = activations[38:36];
+  assign \pixels$57[2]  = activations[62:60];
+  assign \pixels$57[3]  = activations[86:84];
+  assign \taps$58[0]  = \weight$8 [47:45];
+  assign \taps$58[1]  = \weight$8 [50:48];
+  assign \taps$58[2]  = \weight$8 [53:51];
+  assign \pixels$59[0]  = activations[17:15];
+  assign \pixels$59[1]  = activations[41:39];
+  assign \pixels$59[2]  = activations[65:63];
+  assign \pixels$59[3]  = activations[89:87];
+  assign \taps$60[0]  = \weight$8 [56:54];
+  assign \taps$60[1]  = \weight$8 [59:57];
+  assign \taps$60[2]  = \weight$8 [62:60];
+  assign \pixels$61[0]  = activations[20:18];
+  assign \pixels$61[1]  = activations[44:42];
+  assign \pixels$61[2]  = activations[68:66];
+  assign \pixels$61[3]  = activations[92:90];
+  assign \taps$62[0]  = \weight$8 [65:63];
+  assign \taps$62[1]  = \weight$8 [68:66];
+  assign \taps$62[2]  = \weight$8 [71:69];
+  assign \pixels$63[0]  = activations[23:21];
+  assign \pixels$63[1]  = activations[47:45];
+  assign \pixels$63[2]  = activations[71:69];
+  assign \pixels$63[3]  = activations[95:93];
+  assign \lanes[0]  = lanes[7:0];
+  assign \lanes[1]  = lanes[15:8];
+  assign \lanes[2]  = lanes[23:16];
+  assign \lanes[3]  = lanes[31:24];
+  assign \lanes[4]  = lanes[39:32];
+  assign \lanes[5]  = lanes[47:40];
+  assign \lanes$67[0]  = \lanes$67 [7:0];
+  assign \lanes$67[1]  = \lanes$67 [15:8];
+  assign \lanes$67[2]  = \lanes$67 [23:16];
+  assign \lanes$67[3]  = \lanes$67 [31:24];
+  assign \lanes$67[4]  = \lanes$67 [39:32];
+  assign \lanes$67[5]  = \lanes$67 [47:40];
+  assign \lanes$69[0]  = \lanes$69 [7:0];
+  assign \lanes$69[1]  = \lanes$69 [15:8];
+  assign \lanes$69[2]  = \lanes$69 [23:16];
+  assign \lanes$69[3]  = \lanes$69 [31:24];
+  assign \lanes$69[4]  = \lanes$69 [39:32];
+  assign \lanes$69[5]  = \lanes$69 [47:40];
+  assign \lanes$71[0]  = \lanes$71 [7:0];
+  assign \lanes$71[1]  = \lanes$71 [15:8];
+  assign \lanes$71[2]  = \lanes$71 [23:16];
+  assign \lanes$71[3]  = \lanes$71 [31:24];
+  assign \lanes$71[4]  = \lanes$71 [39:32];
+  assign \lanes$71[5]  = \lanes$71 [47:40];
+  assign \lanes$73[0]  = \lanes$73 [7:0];
+  assign \lanes$73[1]  = \lanes$73 [15:8];
+  assign \lanes$73[2]  = \lanes$73 [23:16];
+  assign \lanes$73[3]  = \lanes$73 [31:24];
+  assign \lanes$73[4]  = \lanes$73 [39:32];
+  assign \lanes$73[5]  = \lanes$73 [47:40];
+  assign \lanes$75[0]  = \lanes$75 [7:0];
+  assign \lanes$75[1]  = \lanes$75 [15:8];
+  assign \lanes$75[2]  = \lanes$75 [23:16];
+  assign \lanes$75[3]  = \lanes$75 [31:24];
+  assign \lanes$75[4]  = \lanes$75 [39:32];
+  assign \lanes$75[5]  = \lanes$75 [47:40];
+  assign \lanes$77[0]  = \lanes$77 [7:0];
+  assign \lanes$77[1]  = \lanes$77 [15:8];
+  assign \lanes$77[2]  = \lanes$77 [23:16];
+  assign \lanes$77[3]  = \lanes$77 [31:24];
+  assign \lanes$77[4]  = \lanes$77 [39:32];
+  assign \lanes$77[5]  = \lanes$77 [47:40];
+  assign \lanes$79[0]  = \lanes$79 [7:0];
+  assign \lanes$79[1]  = \lanes$79 [15:8];
+  assign \lanes$79[2]  = \lanes$79 [23:16];
+  assign \lanes$79[3]  = \lanes$79 [31:24];
+  assign \lanes$79[4]  = \lanes$79 [39:32];
+  assign \lanes$79[5]  = \lanes$79 [47:40];
 endmodule
 
-module \macram_unit.engine0 (rst, taps, pixels, lanes, clk);
+module \macram_unit.engine0 (\port$0$98 , \port$0$122 , \port$0$146 , clk, rst, taps, lanes, \port$0$74 );
   reg \$auto$verilog_backend.cc:2355:dump_module$2  = 0;
   wire [5:0] \$1 ;
   wire [5:0] \$10 ;
@@ -675,12 +1214,19 @@ module \macram_unit.engine0 (rst, taps, pixels, lanes, clk);
   wire [7:0] \lanes[3] ;
   wire [7:0] \lanes[4] ;
   wire [7:0] \lanes[5] ;
-  input [11:0] pixels;
   wire [11:0] pixels;
   wire [2:0] \pixels[0] ;
   wire [2:0] \pixels[1] ;
   wire [2:0] \pixels[2] ;
   wire [2:0] \pixels[3] ;
+  input [2:0] \port$0$122 ;
+  wire [2:0] \port$0$122 ;
+  input [2:0] \port$0$146 ;
+  wire [2:0] \port$0$146 ;
+  input [2:0] \port$0$74 ;
+  wire [2:0] \port$0$74 ;
+  input [2:0] \port$0$98 ;
+  wire [2:0] \port$0$98 ;
   input rst;
   wire rst;
   input [8:0] taps;
@@ -688,24 +1234,24 @@ module \macram_unit.engine0 (rst, taps, pixels, lanes, clk);
   wire [2:0] \taps[0] ;
   wire [2:0] \taps[1] ;
   wire [2:0] \taps[2] ;
-  assign \$1  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[2:0]);
-  assign \$2  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[2:0]);
-  assign \$3  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[5:3]);
+  assign \$1  = $signed({ 1'h0, \port$0$74  }) * $signed(taps[2:0]);
+  assign \$2  = $signed({ 1'h0, \port$0$98  }) * $signed(taps[2:0]);
+  assign \$3  = $signed({ 1'h0, \port$0$74  }) * $signed(taps[5:3]);
   assign \$4  = $signed(\$2 ) + $signed(\$3 );
-  assign \$5  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[2:0]);
-  assign \$6  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[5:3]);
+  assign \$5  = $signed({ 1'h0, \port$0$122  }) * $signed(taps[2:0]);
+  assign \$6  = $signed({ 1'h0, \port$0$98  }) * $signed(taps[5:3]);
   assign \$7  = $signed(\$5 ) + $signed(\$6 );
-  assign \$8  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[8:6]);
+  assign \$8  = $signed({ 1'h0, \port$0$74  }) * $signed(taps[8:6]);
   assign \$9  = $signed(\$7 ) + $signed(\$8 );
-  assign \$10  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[2:0]);
-  assign \$11  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[5:3]);
+  assign \$10  = $signed({ 1'h0, \port$0$146  }) * $signed(taps[2:0]);
+  assign \$11  = $signed({ 1'h0, \port$0$122  }) * $signed(taps[5:3]);
   assign \$12  = $signed(\$10 ) + $signed(\$11 );
-  assign \$13  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[8:6]);
+  assign \$13  = $signed({ 1'h0, \port$0$98  }) * $signed(taps[8:6]);
   assign \$14  = $signed(\$12 ) + $signed(\$13 );
-  assign \$15  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[5:3]);
-  assign \$16  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[8:6]);
+  assign \$15  = $signed({ 1'h0, \port$0$146  }) * $signed(taps[5:3]);
+  assign \$16  = $signed({ 1'h0, \port$0$122  }) * $signed(taps[8:6]);
   assign \$17  = $signed(\$15 ) + $signed(\$16 );
-  assign \$18  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[8:6]);
+  assign \$18  = $signed({ 1'h0, \port$0$146  }) * $signed(taps[8:6]);
   always @(posedge clk)
     lanes <= \$19 ;
   always @* begin
@@ -720,22 +1266,23 @@ module \macram_unit.engine0 (rst, taps, pixels, lanes, clk);
       \$19  = 48'h000000000000;
     end
   end
+  assign pixels = { \port$0$146 , \port$0$122 , \port$0$98 , \port$0$74  };
   assign \lanes[0]  = lanes[7:0];
   assign \lanes[1]  = lanes[15:8];
   assign \lanes[2]  = lanes[23:16];
   assign \lanes[3]  = lanes[31:24];
   assign \lanes[4]  = lanes[39:32];
   assign \lanes[5]  = lanes[47:40];
-  assign \pixels[0]  = pixels[2:0];
-  assign \pixels[1]  = pixels[5:3];
-  assign \pixels[2]  = pixels[8:6];
-  assign \pixels[3]  = pixels[11:9];
+  assign \pixels[0]  = \port$0$74 ;
+  assign \pixels[1]  = \port$0$98 ;
+  assign \pixels[2]  = \port$0$122 ;
+  assign \pixels[3]  = \port$0$146 ;
   assign \taps[0]  = taps[2:0];
   assign \taps[1]  = taps[5:3];
   assign \taps[2]  = taps[8:6];
 endmodule
 
-module \macram_unit.engine1 (rst, taps, pixels, lanes, clk);
+module \macram_unit.engine1 (\port$0$101 , \port$0$125 , \port$0$149 , clk, rst, taps, lanes, \port$0$77 );
   reg \$auto$verilog_backend.cc:2355:dump_module$3  = 0;
   wire [5:0] \$1 ;
   wire [5:0] \$10 ;
@@ -766,12 +1313,19 @@ module \macram_unit.engine1 (rst, taps, pixels, lanes, clk);
   wire [7:0] \lanes[3] ;
   wire [7:0] \lanes[4] ;
   wire [7:0] \lanes[5] ;
-  input [11:0] pixels;
   wire [11:0] pixels;
   wire [2:0] \pixels[0] ;
   wire [2:0] \pixels[1] ;
   wire [2:0] \pixels[2] ;
   wire [2:0] \pixels[3] ;
+  input [2:0] \port$0$101 ;
+  wire [2:0] \port$0$101 ;
+  input [2:0] \port$0$125 ;
+  wire [2:0] \port$0$125 ;
+  input [2:0] \port$0$149 ;
+  wire [2:0] \port$0$149 ;
+  input [2:0] \port$0$77 ;
+  wire [2:0] \port$0$77 ;
   input rst;
   wire rst;
   input [8:0] taps;
@@ -779,24 +1333,24 @@ module \macram_unit.engine1 (rst, taps, pixels, lanes, clk);
   wire [2:0] \taps[0] ;
   wire [2:0] \taps[1] ;
   wire [2:0] \taps[2] ;
-  assign \$1  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[2:0]);
-  assign \$2  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[2:0]);
-  assign \$3  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[5:3]);
+  assign \$1  = $signed({ 1'h0, \port$0$77  }) * $signed(taps[2:0]);
+  assign \$2  = $signed({ 1'h0, \port$0$101  }) * $signed(taps[2:0]);
+  assign \$3  = $signed({ 1'h0, \port$0$77  }) * $signed(taps[5:3]);
   assign \$4  = $signed(\$2 ) + $signed(\$3 );
-  assign \$5  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[2:0]);
-  assign \$6  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[5:3]);
+  assign \$5  = $signed({ 1'h0, \port$0$125  }) * $signed(taps[2:0]);
+  assign \$6  = $signed({ 1'h0, \port$0$101  }) * $signed(taps[5:3]);
   assign \$7  = $signed(\$5 ) + $signed(\$6 );
-  assign \$8  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[8:6]);
+  assign \$8  = $signed({ 1'h0, \port$0$77  }) * $signed(taps[8:6]);
   assign \$9  = $signed(\$7 ) + $signed(\$8 );
-  assign \$10  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[2:0]);
-  assign \$11  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[5:3]);
+  assign \$10  = $signed({ 1'h0, \port$0$149  }) * $signed(taps[2:0]);
+  assign \$11  = $signed({ 1'h0, \port$0$125  }) * $signed(taps[5:3]);
   assign \$12  = $signed(\$10 ) + $signed(\$11 );
-  assign \$13  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[8:6]);
+  assign \$13  = $signed({ 1'h0, \port$0$101  }) * $signed(taps[8:6]);
   assign \$14  = $signed(\$12 ) + $signed(\$13 );
-  assign \$15  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[5:3]);
-  assign \$16  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[8:6]);
+  assign \$15  = $signed({ 1'h0, \port$0$149  }) * $signed(taps[5:3]);
+  assign \$16  = $signed({ 1'h0, \port$0$125  }) * $signed(taps[8:6]);
   assign \$17  = $signed(\$15 ) + $signed(\$16 );
-  assign \$18  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[8:6]);
+  assign \$18  = $signed({ 1'h0, \port$0$149  }) * $signed(taps[8:6]);
   always @(posedge clk)
     lanes <= \$19 ;
   always @* begin
@@ -811,22 +1365,23 @@ module \macram_unit.engine1 (rst, taps, pixels, lanes, clk);
       \$19  = 48'h000000000000;
     end
   end
+  assign pixels = { \port$0$149 , \port$0$125 , \port$0$101 , \port$0$77  };
   assign \lanes[0]  = lanes[7:0];
   assign \lanes[1]  = lanes[15:8];
   assign \lanes[2]  = lanes[23:16];
   assign \lanes[3]  = lanes[31:24];
   assign \lanes[4]  = lanes[39:32];
   assign \lanes[5]  = lanes[47:40];
-  assign \pixels[0]  = pixels[2:0];
-  assign \pixels[1]  = pixels[5:3];
-  assign \pixels[2]  = pixels[8:6];
-  assign \pixels[3]  = pixels[11:9];
+  assign \pixels[0]  = \port$0$77 ;
+  assign \pixels[1]  = \port$0$101 ;
+  assign \pixels[2]  = \port$0$125 ;
+  assign \pixels[3]  = \port$0$149 ;
   assign \taps[0]  = taps[2:0];
   assign \taps[1]  = taps[5:3];
   assign \taps[2]  = taps[8:6];
 endmodule
 
-module \macram_unit.engine2 (rst, taps, pixels, lanes, clk);
+module \macram_unit.engine2 (\port$0$104 , \port$0$128 , \port$0$152 , clk, rst, taps, lanes, \port$0$80 );
   reg \$auto$verilog_backend.cc:2355:dump_module$4  = 0;
   wire [5:0] \$1 ;
   wire [5:0] \$10 ;
@@ -857,12 +1412,19 @@ module \macram_unit.engine2 (rst, taps, pixels, lanes, clk);
   wire [7:0] \lanes[3] ;
   wire [7:0] \lanes[4] ;
   wire [7:0] \lanes[5] ;
-  input [11:0] pixels;
   wire [11:0] pixels;
   wire [2:0] \pixels[0] ;
   wire [2:0] \pixels[1] ;
   wire [2:0] \pixels[2] ;
   wire [2:0] \pixels[3] ;
+  input [2:0] \port$0$104 ;
+  wire [2:0] \port$0$104 ;
+  input [2:0] \port$0$128 ;
+  wire [2:0] \port$0$128 ;
+  input [2:0] \port$0$152 ;
+  wire [2:0] \port$0$152 ;
+  input [2:0] \port$0$80 ;
+  wire [2:0] \port$0$80 ;
   input rst;
   wire rst;
   input [8:0] taps;
@@ -870,24 +1432,24 @@ module \macram_unit.engine2 (rst, taps, pixels, lanes, clk);
   wire [2:0] \taps[0] ;
   wire [2:0] \taps[1] ;
   wire [2:0] \taps[2] ;
-  assign \$1  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[2:0]);
-  assign \$2  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[2:0]);
-  assign \$3  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[5:3]);
+  assign \$1  = $signed({ 1'h0, \port$0$80  }) * $signed(taps[2:0]);
+  assign \$2  = $signed({ 1'h0, \port$0$104  }) * $signed(taps[2:0]);
+  assign \$3  = $signed({ 1'h0, \port$0$80  }) * $signed(taps[5:3]);
   assign \$4  = $signed(\$2 ) + $signed(\$3 );
-  assign \$5  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[2:0]);
-  assign \$6  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[5:3]);
+  assign \$5  = $signed({ 1'h0, \port$0$128  }) * $signed(taps[2:0]);
+  assign \$6  = $signed({ 1'h0, \port$0$104  }) * $signed(taps[5:3]);
   assign \$7  = $signed(\$5 ) + $signed(\$6 );
-  assign \$8  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[8:6]);
+  assign \$8  = $signed({ 1'h0, \port$0$80  }) * $signed(taps[8:6]);
   assign \$9  = $signed(\$7 ) + $signed(\$8 );
-  assign \$10  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[2:0]);
-  assign \$11  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[5:3]);
+  assign \$10  = $signed({ 1'h0, \port$0$152  }) * $signed(taps[2:0]);
+  assign \$11  = $signed({ 1'h0, \port$0$128  }) * $signed(taps[5:3]);
   assign \$12  = $signed(\$10 ) + $signed(\$11 );
-  assign \$13  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[8:6]);
+  assign \$13  = $signed({ 1'h0, \port$0$104  }) * $signed(taps[8:6]);
   assign \$14  = $signed(\$12 ) + $signed(\$13 );
-  assign \$15  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[5:3]);
-  assign \$16  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[8:6]);
+  assign \$15  = $signed({ 1'h0, \port$0$152  }) * $signed(taps[5:3]);
+  assign \$16  = $signed({ 1'h0, \port$0$128  }) * $signed(taps[8:6]);
   assign \$17  = $signed(\$15 ) + $signed(\$16 );
-  assign \$18  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[8:6]);
+  assign \$18  = $signed({ 1'h0, \port$0$152  }) * $signed(taps[8:6]);
   always @(posedge clk)
     lanes <= \$19 ;
   always @* begin
@@ -902,22 +1464,23 @@ module \macram_unit.engine2 (rst, taps, pixels, lanes, clk);
       \$19  = 48'h000000000000;
     end
   end
+  assign pixels = { \port$0$152 , \port$0$128 , \port$0$104 , \port$0$80  };
   assign \lanes[0]  = lanes[7:0];
   assign \lanes[1]  = lanes[15:8];
   assign \lanes[2]  = lanes[23:16];
   assign \lanes[3]  = lanes[31:24];
   assign \lanes[4]  = lanes[39:32];
   assign \lanes[5]  = lanes[47:40];
-  assign \pixels[0]  = pixels[2:0];
-  assign \pixels[1]  = pixels[5:3];
-  assign \pixels[2]  = pixels[8:6];
-  assign \pixels[3]  = pixels[11:9];
+  assign \pixels[0]  = \port$0$80 ;
+  assign \pixels[1]  = \port$0$104 ;
+  assign \pixels[2]  = \port$0$128 ;
+  assign \pixels[3]  = \port$0$152 ;
   assign \taps[0]  = taps[2:0];
   assign \taps[1]  = taps[5:3];
   assign \taps[2]  = taps[8:6];
 endmodule
 
-module \macram_unit.engine3 (rst, taps, pixels, lanes, clk);
+module \macram_unit.engine3 (\port$0$107 , \port$0$131 , \port$0$155 , clk, rst, taps, lanes, \port$0$83 );
   reg \$auto$verilog_backend.cc:2355:dump_module$5  = 0;
   wire [5:0] \$1 ;
   wire [5:0] \$10 ;
@@ -948,12 +1511,19 @@ module \macram_unit.engine3 (rst, taps, pixels, lanes, clk);
   wire [7:0] \lanes[3] ;
   wire [7:0] \lanes[4] ;
   wire [7:0] \lanes[5] ;
-  input [11:0] pixels;
   wire [11:0] pixels;
   wire [2:0] \pixels[0] ;
   wire [2:0] \pixels[1] ;
   wire [2:0] \pixels[2] ;
   wire [2:0] \pixels[3] ;
+  input [2:0] \port$0$107 ;
+  wire [2:0] \port$0$107 ;
+  input [2:0] \port$0$131 ;
+  wire [2:0] \port$0$131 ;
+  input [2:0] \port$0$155 ;
+  wire [2:0] \port$0$155 ;
+  input [2:0] \port$0$83 ;
+  wire [2:0] \port$0$83 ;
   input rst;
   wire rst;
   input [8:0] taps;
@@ -961,24 +1531,24 @@ module \macram_unit.engine3 (rst, taps, pixels, lanes, clk);
   wire [2:0] \taps[0] ;
   wire [2:0] \taps[1] ;
   wire [2:0] \taps[2] ;
-  assign \$1  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[2:0]);
-  assign \$2  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[2:0]);
-  assign \$3  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[5:3]);
+  assign \$1  = $signed({ 1'h0, \port$0$83  }) * $signed(taps[2:0]);
+  assign \$2  = $signed({ 1'h0, \port$0$107  }) * $signed(taps[2:0]);
+  assign \$3  = $signed({ 1'h0, \port$0$83  }) * $signed(taps[5:3]);
   assign \$4  = $signed(\$2 ) + $signed(\$3 );
-  assign \$5  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[2:0]);
-  assign \$6  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[5:3]);
+  assign \$5  = $signed({ 1'h0, \port$0$131  }) * $signed(taps[2:0]);
+  assign \$6  = $signed({ 1'h0, \port$0$107  }) * $signed(taps[5:3]);
   assign \$7  = $signed(\$5 ) + $signed(\$6 );
-  assign \$8  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[8:6]);
+  assign \$8  = $signed({ 1'h0, \port$0$83  }) * $signed(taps[8:6]);
   assign \$9  = $signed(\$7 ) + $signed(\$8 );
-  assign \$10  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[2:0]);
-  assign \$11  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[5:3]);
+  assign \$10  = $signed({ 1'h0, \port$0$155  }) * $signed(taps[2:0]);
+  assign \$11  = $signed({ 1'h0, \port$0$131  }) * $signed(taps[5:3]);
   assign \$12  = $signed(\$10 ) + $signed(\$11 );
-  assign \$13  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[8:6]);
+  assign \$13  = $signed({ 1'h0, \port$0$107  }) * $signed(taps[8:6]);
   assign \$14  = $signed(\$12 ) + $signed(\$13 );
-  assign \$15  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[5:3]);
-  assign \$16  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[8:6]);
+  assign \$15  = $signed({ 1'h0, \port$0$155  }) * $signed(taps[5:3]);
+  assign \$16  = $signed({ 1'h0, \port$0$131  }) * $signed(taps[8:6]);
   assign \$17  = $signed(\$15 ) + $signed(\$16 );
-  assign \$18  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[8:6]);
+  assign \$18  = $signed({ 1'h0, \port$0$155  }) * $signed(taps[8:6]);
   always @(posedge clk)
     lanes <= \$19 ;
   always @* begin
@@ -993,22 +1563,23 @@ module \macram_unit.engine3 (rst, taps, pixels, lanes, clk);
       \$19  = 48'h000000000000;
     end
   end
+  assign pixels = { \port$0$155 , \port$0$131 , \port$0$107 , \port$0$83  };
   assign \lanes[0]  = lanes[7:0];
   assign \lanes[1]  = lanes[15:8];
   assign \lanes[2]  = lanes[23:16];
   assign \lanes[3]  = lanes[31:24];
   assign \lanes[4]  = lanes[39:32];
   assign \lanes[5]  = lanes[47:40];
-  assign \pixels[0]  = pixels[2:0];
-  assign \pixels[1]  = pixels[5:3];
-  assign \pixels[2]  = pixels[8:6];
-  assign \pixels[3]  = pixels[11:9];
+  assign \pixels[0]  = \port$0$83 ;
+  assign \pixels[1]  = \port$0$107 ;
+  assign \pixels[2]  = \port$0$131 ;
+  assign \pixels[3]  = \port$0$155 ;
   assign \taps[0]  = taps[2:0];
   assign \taps[1]  = taps[5:3];
   assign \taps[2]  = taps[8:6];
 endmodule
 
-module \macram_unit.engine4 (rst, taps, pixels, lanes, clk);
+module \macram_unit.engine4 (\port$0$110 , \port$0$134 , \port$0$158 , clk, rst, taps, lanes, \port$0$86 );
   reg \$auto$verilog_backend.cc:2355:dump_module$6  = 0;
   wire [5:0] \$1 ;
   wire [5:0] \$10 ;
@@ -1039,12 +1610,19 @@ module \macram_unit.engine4 (rst, taps, pixels, lanes, clk);
   wire [7:0] \lanes[3] ;
   wire [7:0] \lanes[4] ;
   wire [7:0] \lanes[5] ;
-  input [11:0] pixels;
   wire [11:0] pixels;
   wire [2:0] \pixels[0] ;
   wire [2:0] \pixels[1] ;
   wire [2:0] \pixels[2] ;
   wire [2:0] \pixels[3] ;
+  input [2:0] \port$0$110 ;
+  wire [2:0] \port$0$110 ;
+  input [2:0] \port$0$134 ;
+  wire [2:0] \port$0$134 ;
+  input [2:0] \port$0$158 ;
+  wire [2:0] \port$0$158 ;
+  input [2:0] \port$0$86 ;
+  wire [2:0] \port$0$86 ;
   input rst;
   wire rst;
   input [8:0] taps;
@@ -1052,24 +1630,24 @@ module \macram_unit.engine4 (rst, taps, pixels, lanes, clk);
   wire [2:0] \taps[0] ;
   wire [2:0] \taps[1] ;
   wire [2:0] \taps[2] ;
-  assign \$1  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[2:0]);
-  assign \$2  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[2:0]);
-  assign \$3  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[5:3]);
+  assign \$1  = $signed({ 1'h0, \port$0$86  }) * $signed(taps[2:0]);
+  assign \$2  = $signed({ 1'h0, \port$0$110  }) * $signed(taps[2:0]);
+  assign \$3  = $signed({ 1'h0, \port$0$86  }) * $signed(taps[5:3]);
   assign \$4  = $signed(\$2 ) + $signed(\$3 );
-  assign \$5  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[2:0]);
-  assign \$6  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[5:3]);
+  assign \$5  = $signed({ 1'h0, \port$0$134  }) * $signed(taps[2:0]);
+  assign \$6  = $signed({ 1'h0, \port$0$110  }) * $signed(taps[5:3]);
   assign \$7  = $signed(\$5 ) + $signed(\$6 );
-  assign \$8  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[8:6]);
+  assign \$8  = $signed({ 1'h0, \port$0$86  }) * $signed(taps[8:6]);
   assign \$9  = $signed(\$7 ) + $signed(\$8 );
-  assign \$10  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[2:0]);
-  assign \$11  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[5:3]);
+  assign \$10  = $signed({ 1'h0, \port$0$158  }) * $signed(taps[2:0]);
+  assign \$11  = $signed({ 1'h0, \port$0$134  }) * $signed(taps[5:3]);
   assign \$12  = $signed(\$10 ) + $signed(\$11 );
-  assign \$13  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[8:6]);
+  assign \$13  = $signed({ 1'h0, \port$0$110  }) * $signed(taps[8:6]);
   assign \$14  = $signed(\$12 ) + $signed(\$13 );
-  assign \$15  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[5:3]);
-  assign \$16  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[8:6]);
+  assign \$15  = $signed({ 1'h0, \port$0$158  }) * $signed(taps[5:3]);
+  assign \$16  = $signed({ 1'h0, \port$0$134  }) * $signed(taps[8:6]);
   assign \$17  = $signed(\$15 ) + $signed(\$16 );
-  assign \$18  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[8:6]);
+  assign \$18  = $signed({ 1'h0, \port$0$158  }) * $signed(taps[8:6]);
   always @(posedge clk)
     lanes <= \$19 ;
   always @* begin
@@ -1084,22 +1662,23 @@ module \macram_unit.engine4 (rst, taps, pixels, lanes, clk);
       \$19  = 48'h000000000000;
     end
   end
+  assign pixels = { \port$0$158 , \port$0$134 , \port$0$110 , \port$0$86  };
   assign \lanes[0]  = lanes[7:0];
   assign \lanes[1]  = lanes[15:8];
   assign \lanes[2]  = lanes[23:16];
   assign \lanes[3]  = lanes[31:24];
   assign \lanes[4]  = lanes[39:32];
   assign \lanes[5]  = lanes[47:40];
-  assign \pixels[0]  = pixels[2:0];
-  assign \pixels[1]  = pixels[5:3];
-  assign \pixels[2]  = pixels[8:6];
-  assign \pixels[3]  = pixels[11:9];
+  assign \pixels[0]  = \port$0$86 ;
+  assign \pixels[1]  = \port$0$110 ;
+  assign \pixels[2]  = \port$0$134 ;
+  assign \pixels[3]  = \port$0$158 ;
   assign \taps[0]  = taps[2:0];
   assign \taps[1]  = taps[5:3];
   assign \taps[2]  = taps[8:6];
 endmodule
 
-module \macram_unit.engine5 (rst, taps, pixels, lanes, clk);
+module \macram_unit.engine5 (\port$0$113 , \port$0$137 , \port$0$161 , clk, rst, taps, lanes, \port$0$89 );
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
   wire [5:0] \$1 ;
   wire [5:0] \$10 ;
@@ -1130,12 +1709,19 @@ module \macram_unit.engine5 (rst, taps, pixels, lanes, clk);
   wire [7:0] \lanes[3] ;
   wire [7:0] \lanes[4] ;
   wire [7:0] \lanes[5] ;
-  input [11:0] pixels;
   wire [11:0] pixels;
   wire [2:0] \pixels[0] ;
   wire [2:0] \pixels[1] ;
   wire [2:0] \pixels[2] ;
   wire [2:0] \pixels[3] ;
+  input [2:0] \port$0$113 ;
+  wire [2:0] \port$0$113 ;
+  input [2:0] \port$0$137 ;
+  wire [2:0] \port$0$137 ;
+  input [2:0] \port$0$161 ;
+  wire [2:0] \port$0$161 ;
+  input [2:0] \port$0$89 ;
+  wire [2:0] \port$0$89 ;
   input rst;
   wire rst;
   input [8:0] taps;
@@ -1143,24 +1729,24 @@ module \macram_unit.engine5 (rst, taps, pixels, lanes, clk);
   wire [2:0] \taps[0] ;
   wire [2:0] \taps[1] ;
   wire [2:0] \taps[2] ;
-  assign \$1  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[2:0]);
-  assign \$2  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[2:0]);
-  assign \$3  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[5:3]);
+  assign \$1  = $signed({ 1'h0, \port$0$89  }) * $signed(taps[2:0]);
+  assign \$2  = $signed({ 1'h0, \port$0$113  }) * $signed(taps[2:0]);
+  assign \$3  = $signed({ 1'h0, \port$0$89  }) * $signed(taps[5:3]);
   assign \$4  = $signed(\$2 ) + $signed(\$3 );
-  assign \$5  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[2:0]);
-  assign \$6  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[5:3]);
+  assign \$5  = $signed({ 1'h0, \port$0$137  }) * $signed(taps[2:0]);
+  assign \$6  = $signed({ 1'h0, \port$0$113  }) * $signed(taps[5:3]);
   assign \$7  = $signed(\$5 ) + $signed(\$6 );
-  assign \$8  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[8:6]);
+  assign \$8  = $signed({ 1'h0, \port$0$89  }) * $signed(taps[8:6]);
   assign \$9  = $signed(\$7 ) + $signed(\$8 );
-  assign \$10  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[2:0]);
-  assign \$11  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[5:3]);
+  assign \$10  = $signed({ 1'h0, \port$0$161  }) * $signed(taps[2:0]);
+  assign \$11  = $signed({ 1'h0, \port$0$137  }) * $signed(taps[5:3]);
   assign \$12  = $signed(\$10 ) + $signed(\$11 );
-  assign \$13  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[8:6]);
+  assign \$13  = $signed({ 1'h0, \port$0$113  }) * $signed(taps[8:6]);
   assign \$14  = $signed(\$12 ) + $signed(\$13 );
-  assign \$15  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[5:3]);
-  assign \$16  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[8:6]);
+  assign \$15  = $signed({ 1'h0, \port$0$161  }) * $signed(taps[5:3]);
+  assign \$16  = $signed({ 1'h0, \port$0$137  }) * $signed(taps[8:6]);
   assign \$17  = $signed(\$15 ) + $signed(\$16 );
-  assign \$18  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[8:6]);
+  assign \$18  = $signed({ 1'h0, \port$0$161  }) * $signed(taps[8:6]);
   always @(posedge clk)
     lanes <= \$19 ;
   always @* begin
@@ -1175,22 +1761,23 @@ module \macram_unit.engine5 (rst, taps, pixels, lanes, clk);
       \$19  = 48'h000000000000;
     end
   end
+  assign pixels = { \port$0$161 , \port$0$137 , \port$0$113 , \port$0$89  };
   assign \lanes[0]  = lanes[7:0];
   assign \lanes[1]  = lanes[15:8];
   assign \lanes[2]  = lanes[23:16];
   assign \lanes[3]  = lanes[31:24];
   assign \lanes[4]  = lanes[39:32];
   assign \lanes[5]  = lanes[47:40];
-  assign \pixels[0]  = pixels[2:0];
-  assign \pixels[1]  = pixels[5:3];
-  assign \pixels[2]  = pixels[8:6];
-  assign \pixels[3]  = pixels[11:9];
+  assign \pixels[0]  = \port$0$89 ;
+  assign \pixels[1]  = \port$0$113 ;
+  assign \pixels[2]  = \port$0$137 ;
+  assign \pixels[3]  = \port$0$161 ;
   assign \taps[0]  = taps[2:0];
   assign \taps[1]  = taps[5:3];
   assign \taps[2]  = taps[8:6];
 endmodule
 
-module \macram_unit.engine6 (rst, taps, pixels, lanes, clk);
+module \macram_unit.engine6 (\port$0$116 , \port$0$140 , \port$0$164 , clk, rst, taps, lanes, \port$0$92 );
   reg \$auto$verilog_backend.cc:2355:dump_module$8  = 0;
   wire [5:0] \$1 ;
   wire [5:0] \$10 ;
@@ -1221,12 +1808,19 @@ module \macram_unit.engine6 (rst, taps, pixels, lanes, clk);
   wire [7:0] \lanes[3] ;
   wire [7:0] \lanes[4] ;
   wire [7:0] \lanes[5] ;
-  input [11:0] pixels;
   wire [11:0] pixels;
   wire [2:0] \pixels[0] ;
   wire [2:0] \pixels[1] ;
   wire [2:0] \pixels[2] ;
   wire [2:0] \pixels[3] ;
+  input [2:0] \port$0$116 ;
+  wire [2:0] \port$0$116 ;
+  input [2:0] \port$0$140 ;
+  wire [2:0] \port$0$140 ;
+  input [2:0] \port$0$164 ;
+  wire [2:0] \port$0$164 ;
+  input [2:0] \port$0$92 ;
+  wire [2:0] \port$0$92 ;
   input rst;
   wire rst;
   input [8:0] taps;
@@ -1234,24 +1828,24 @@ module \macram_unit.engine6 (rst, taps, pixels, lanes, clk);
   wire [2:0] \taps[0] ;
   wire [2:0] \taps[1] ;
   wire [2:0] \taps[2] ;
-  assign \$1  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[2:0]);
-  assign \$2  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[2:0]);
-  assign \$3  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[5:3]);
+  assign \$1  = $signed({ 1'h0, \port$0$92  }) * $signed(taps[2:0]);
+  assign \$2  = $signed({ 1'h0, \port$0$116  }) * $signed(taps[2:0]);
+  assign \$3  = $signed({ 1'h0, \port$0$92  }) * $signed(taps[5:3]);
   assign \$4  = $signed(\$2 ) + $signed(\$3 );
-  assign \$5  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[2:0]);
-  assign \$6  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[5:3]);
+  assign \$5  = $signed({ 1'h0, \port$0$140  }) * $signed(taps[2:0]);
+  assign \$6  = $signed({ 1'h0, \port$0$116  }) * $signed(taps[5:3]);
   assign \$7  = $signed(\$5 ) + $signed(\$6 );
-  assign \$8  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[8:6]);
+  assign \$8  = $signed({ 1'h0, \port$0$92  }) * $signed(taps[8:6]);
   assign \$9  = $signed(\$7 ) + $signed(\$8 );
-  assign \$10  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[2:0]);
-  assign \$11  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[5:3]);
+  assign \$10  = $signed({ 1'h0, \port$0$164  }) * $signed(taps[2:0]);
+  assign \$11  = $signed({ 1'h0, \port$0$140  }) * $signed(taps[5:3]);
   assign \$12  = $signed(\$10 ) + $signed(\$11 );
-  assign \$13  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[8:6]);
+  assign \$13  = $signed({ 1'h0, \port$0$116  }) * $signed(taps[8:6]);
   assign \$14  = $signed(\$12 ) + $signed(\$13 );
-  assign \$15  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[5:3]);
-  assign \$16  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[8:6]);
+  assign \$15  = $signed({ 1'h0, \port$0$164  }) * $signed(taps[5:3]);
+  assign \$16  = $signed({ 1'h0, \port$0$140  }) * $signed(taps[8:6]);
   assign \$17  = $signed(\$15 ) + $signed(\$16 );
-  assign \$18  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[8:6]);
+  assign \$18  = $signed({ 1'h0, \port$0$164  }) * $signed(taps[8:6]);
   always @(posedge clk)
     lanes <= \$19 ;
   always @* begin
@@ -1266,22 +1860,23 @@ module \macram_unit.engine6 (rst, taps, pixels, lanes, clk);
       \$19  = 48'h000000000000;
     end
   end
+  assign pixels = { \port$0$164 , \port$0$140 , \port$0$116 , \port$0$92  };
   assign \lanes[0]  = lanes[7:0];
   assign \lanes[1]  = lanes[15:8];
   assign \lanes[2]  = lanes[23:16];
   assign \lanes[3]  = lanes[31:24];
   assign \lanes[4]  = lanes[39:32];
   assign \lanes[5]  = lanes[47:40];
-  assign \pixels[0]  = pixels[2:0];
-  assign \pixels[1]  = pixels[5:3];
-  assign \pixels[2]  = pixels[8:6];
-  assign \pixels[3]  = pixels[11:9];
+  assign \pixels[0]  = \port$0$92 ;
+  assign \pixels[1]  = \port$0$116 ;
+  assign \pixels[2]  = \port$0$140 ;
+  assign \pixels[3]  = \port$0$164 ;
   assign \taps[0]  = taps[2:0];
   assign \taps[1]  = taps[5:3];
   assign \taps[2]  = taps[8:6];
 endmodule
 
-module \macram_unit.engine7 (rst, taps, pixels, lanes, clk);
+module \macram_unit.engine7 (\port$0$119 , \port$0$143 , \port$0$167 , clk, rst, taps, lanes, \port$0$95 );
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [5:0] \$1 ;
   wire [5:0] \$10 ;
@@ -1312,12 +1907,19 @@ module \macram_unit.engine7 (rst, taps, pixels, lanes, clk);
   wire [7:0] \lanes[3] ;
   wire [7:0] \lanes[4] ;
   wire [7:0] \lanes[5] ;
-  input [11:0] pixels;
   wire [11:0] pixels;
   wire [2:0] \pixels[0] ;
   wire [2:0] \pixels[1] ;
   wire [2:0] \pixels[2] ;
   wire [2:0] \pixels[3] ;
+  input [2:0] \port$0$119 ;
+  wire [2:0] \port$0$119 ;
+  input [2:0] \port$0$143 ;
+  wire [2:0] \port$0$143 ;
+  input [2:0] \port$0$167 ;
+  wire [2:0] \port$0$167 ;
+  input [2:0] \port$0$95 ;
+  wire [2:0] \port$0$95 ;
   input rst;
   wire rst;
   input [8:0] taps;
@@ -1325,24 +1927,24 @@ module \macram_unit.engine7 (rst, taps, pixels, lanes, clk);
   wire [2:0] \taps[0] ;
   wire [2:0] \taps[1] ;
   wire [2:0] \taps[2] ;
-  assign \$1  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[2:0]);
-  assign \$2  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[2:0]);
-  assign \$3  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[5:3]);
+  assign \$1  = $signed({ 1'h0, \port$0$95  }) * $signed(taps[2:0]);
+  assign \$2  = $signed({ 1'h0, \port$0$119  }) * $signed(taps[2:0]);
+  assign \$3  = $signed({ 1'h0, \port$0$95  }) * $signed(taps[5:3]);
   assign \$4  = $signed(\$2 ) + $signed(\$3 );
-  assign \$5  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[2:0]);
-  assign \$6  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[5:3]);
+  assign \$5  = $signed({ 1'h0, \port$0$143  }) * $signed(taps[2:0]);
+  assign \$6  = $signed({ 1'h0, \port$0$119  }) * $signed(taps[5:3]);
   assign \$7  = $signed(\$5 ) + $signed(\$6 );
-  assign \$8  = $signed({ 1'h0, pixels[2:0] }) * $signed(taps[8:6]);
+  assign \$8  = $signed({ 1'h0, \port$0$95  }) * $signed(taps[8:6]);
   assign \$9  = $signed(\$7 ) + $signed(\$8 );
-  assign \$10  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[2:0]);
-  assign \$11  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[5:3]);
+  assign \$10  = $signed({ 1'h0, \port$0$167  }) * $signed(taps[2:0]);
+  assign \$11  = $signed({ 1'h0, \port$0$143  }) * $signed(taps[5:3]);
   assign \$12  = $signed(\$10 ) + $signed(\$11 );
-  assign \$13  = $signed({ 1'h0, pixels[5:3] }) * $signed(taps[8:6]);
+  assign \$13  = $signed({ 1'h0, \port$0$119  }) * $signed(taps[8:6]);
   assign \$14  = $signed(\$12 ) + $signed(\$13 );
-  assign \$15  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[5:3]);
-  assign \$16  = $signed({ 1'h0, pixels[8:6] }) * $signed(taps[8:6]);
+  assign \$15  = $signed({ 1'h0, \port$0$167  }) * $signed(taps[5:3]);
+  assign \$16  = $signed({ 1'h0, \port$0$143  }) * $signed(taps[8:6]);
   assign \$17  = $signed(\$15 ) + $signed(\$16 );
-  assign \$18  = $signed({ 1'h0, pixels[11:9] }) * $signed(taps[8:6]);
+  assign \$18  = $signed({ 1'h0, \port$0$167  }) * $signed(taps[8:6]);
   always @(posedge clk)
     lanes <= \$19 ;
   always @* begin
@@ -1357,16 +1959,17 @@ module \macram_unit.engine7 (rst, taps, pixels, lanes, clk);
       \$19  = 48'h000000000000;
     end
   end
+  assign pixels = { \port$0$167 , \port$0$143 , \port$0$119 , \port$0$95  };
   assign \lanes[0]  = lanes[7:0];
   assign \lanes[1]  = lanes[15:8];
   assign \lanes[2]  = lanes[23:16];
   assign \lanes[3]  = lanes[31:24];
   assign \lanes[4]  = lanes[39:32];
   assign \lanes[5]  = lanes[47:40];
-  assign \pixels[0]  = pixels[2:0];
-  assign \pixels[1]  = pixels[5:3];
-  assign \pixels[2]  = pixels[8:6];
-  assign \pixels[3]  = pixels[11:9];
+  assign \pixels[0]  = \port$0$95 ;
+  assign \pixels[1]  = \port$0$119 ;
+  assign \pixels[2]  = \port$0$143 ;
+  assign \pixels[3]  = \port$0$167 ;
   assign \taps[0]  = taps[2:0];
   assign \taps[1]  = taps[5:3];
   assign \taps[2]  = taps[8:6];

@@ -63,7 +63,7 @@ def test_the_product_is_the_product(tmp_path):
     [
         (SAME_SUM, ("^ i[4]", "")),
         (SAME_SUM, ("| (i[2] & i[3])", "")),
-        (SAME_SUM, ("below = ci", "below = 1'b0")),
+        (SAME_SUM, ("between[0] = ci", "between[0] = 1'b0")),
         (SAME_PRODUCT, ("i / 8 - 8", "i / 8")),
         (SAME_PRODUCT, ("i[0] | i[1] | i[2]", "i[0] | i[1]")),
     ],

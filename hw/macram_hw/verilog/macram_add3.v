@@ -46,13 +46,13 @@ module macram_add3 #(
                 assign propagate[i] = 1'b0;
                 assign generated[i] = 1'b0;
             end
+            wire [CHAINS:0] between;
+            assign between[0] = ci;
             for (i = 0; i < CHAINS; i = i + 1) begin : chains
-                wire below;
-                if (i == 0) assign below = ci;
-                else assign below = carry[8*i-1];
                 CARRY8 carry8 (
-                    .CI(below), .CI_TOP(1'b0), .DI(generated[8*i +: 8]), .S(propagate[8*i +: 8]),
+                    .CI(between[i]), .CI_TOP(1'b0), .DI(generated[8*i +: 8]), .S(propagate[8*i +: 8]),
                     .O(total[8*i +: 8]), .CO(carry[8*i +: 8]));
+                assign between[i+1] = carry[8*i+7];
             end
             assign sum = total[WIDTH-1:0];
         end else begin : plain
