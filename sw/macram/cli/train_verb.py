@@ -25,7 +25,7 @@ examples:
   macram train CONFIG.toml --resume                                   exactly as if it had not been interrupted
   macram train CONFIG.toml --set run.precision=fp32                   no bfloat16, if a run diverges
 
-Every key of a configuration, with its meaning and default, stands in macram/train/config.py (RunSettings
+Every key of a configuration, with its meaning and default, stands in macram/train/settings.py (RunSettings
 and the classes below it); the stages and variants are explained in docs/vision.md.
 """
 
