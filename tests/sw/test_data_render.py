@@ -12,7 +12,8 @@ import cv2
 import numpy as np
 import pytest
 
-from macram.cli.data_verb import add_data, data
+from macram.cli.data_grammar import add_data
+from macram.cli.data_verb import data
 from macram.data import produce as produce_module
 from macram.data.geometry import BOX_EDGES
 from macram.data.open import open_dataset

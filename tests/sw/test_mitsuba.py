@@ -10,7 +10,8 @@ import cv2
 import numpy as np
 import pytest
 
-from macram.cli.data_verb import add_data, data
+from macram.cli.data_grammar import add_data
+from macram.cli.data_verb import data
 from macram.data.geometry import project
 from macram.data.produce import produce
 from macram.data.render.cubesat import DIAMETER_MM, cubesat

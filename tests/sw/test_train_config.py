@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 
 from macram.cli.train_verb import overrides
-from macram.train.config import CropPhase, ScheduleSettings, TrainConfig, load_config
+from macram.train.config import TrainConfig, load_config
 from macram.train.schedule import crop_phase, learning_rate, progress
+from macram.train.settings import CropPhase, ScheduleSettings
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 LEAST = {"run": {"stage": "wdr", "out": "o"}, "data": {"root": "r"}, "schedule": {"steps": 100}}

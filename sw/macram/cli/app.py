@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-import textwrap
 import traceback
 from collections.abc import Callable, Sequence
 from importlib import import_module
@@ -13,13 +12,14 @@ from pathlib import Path
 from macram import __version__
 from macram.cli import (
     counts_verb,
-    data_verb,
+    data_grammar,
     designs_verb,
     evaluate_verb,
     export_verb,
     predict_verb,
     train_verb,
 )
+from macram.cli.examples import say_more
 from macram.cli.status import BAD_INPUT, FAILED
 
 SEED = 2022
@@ -48,6 +48,9 @@ examples:
   macram export vivado -o build/vivado         RTL, Tcl and overlay for an Ultra96-V2
   macram data render -o data --tier mini       a rendered data set with poses, masks, backgrounds
   macram counts                                the paper's tables of operations and storage
+  macram train configs/train-tiny.toml         train a stage; see configs/ for the others
+  macram evaluate runs/a/model.safetensors --data data     score it
+  macram predict photo.png -o poses --weights runs/a/model.safetensors     draw the pose it finds
   macram sim                                   full-size reference layer and odd shapes, a table at the end
 
 exit status: 0 all well, 1 a check failed, 2 bad input or a missing tool
@@ -106,7 +109,7 @@ def parser() -> argparse.ArgumentParser:
     _hardware(verb)
     export_verb.add_export(verb)
     designs_verb.add_designs(verb)
-    data_verb.add_data(verb)
+    data_grammar.add_data(verb)
     counts_verb.add_parser(verb)
     train_verb.add_train(verb)
     evaluate_verb.add_evaluate(verb)
@@ -138,8 +141,8 @@ def _layers(verb: Verb) -> None:
         "Writes output.npz (codes) and report.json. Without --array the reference geometry takes on the "
         "layer's code formats. `macram example` writes a layer file to start from.",
     )
-    _say_more(layer, LAYER_EPILOG)
-    layer.add_argument("file", type=Path, metavar="FILE.npz")
+    say_more(layer, LAYER_EPILOG)
+    layer.add_argument("file", type=Path, metavar="FILE.npz", help="layer file, see below")
     layer.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder for the results")
     layer.add_argument("--array", type=Path, metavar="CONFIG.toml", help="array to run on")
     _traffic(layer)
@@ -150,7 +153,7 @@ def _layers(verb: Verb) -> None:
         "write a layer's BRAM images",
         "One .mem and .coe per memory, and manifest.json with shapes, bit order and SHA-256.",
     )
-    pack.add_argument("file", type=Path, metavar="FILE.npz")
+    pack.add_argument("file", type=Path, metavar="FILE.npz", help="layer file, see `macram layer --help`")
     pack.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder for the results")
     pack.add_argument("--array", type=Path, metavar="CONFIG.toml", help="array to pack for")
 
@@ -160,7 +163,7 @@ def _layers(verb: Verb) -> None:
         "write a small random layer file for `macram layer`",
         "Its keys are listed by `macram layer --help`.",
     )
-    example.add_argument("file", type=Path, metavar="FILE.npz")
+    example.add_argument("file", type=Path, metavar="FILE.npz", help="layer file to write")
     example.add_argument(
         "--channels", type=int, nargs=2, default=(16, 64), metavar=("IN", "OUT"), help="default: 16 64"
     )
@@ -232,13 +235,6 @@ def _hardware(verb: Verb) -> None:
     bench.add_argument("--seed", type=int, default=SEED, help=f"default: {SEED}")
 
 
-def _say_more(sub: argparse.ArgumentParser, epilog: str) -> None:
-    """An epilog that keeps its lines; the description is then wrapped here, as argparse would."""
-    sub.description = textwrap.fill(sub.description or "", 100)
-    sub.epilog = epilog
-    sub.formatter_class = argparse.RawDescriptionHelpFormatter
-
-
 def _out(sub: argparse.ArgumentParser, folder: str) -> None:
     sub.add_argument("-o", "--out", type=Path, default=Path(folder), metavar="DIR", help=f"default: {folder}")
 
@@ -258,7 +254,7 @@ def _traffic(sub: argparse.ArgumentParser) -> None:
         help="how weights reach the BRAMs (default: file)",
     )
     sub.add_argument("--seed", type=int, default=SEED, help=f"default: {SEED}")
-    sub.add_argument("--waves", action="store_true", help="write a waveform (slow, large)")
+    sub.add_argument("--waves", action="store_true", help="write a waveform into DIR (slow, large)")
 
 
 def main(argv: Sequence[str] | None = None) -> int:

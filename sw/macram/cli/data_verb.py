@@ -6,7 +6,6 @@ import argparse
 import time
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -15,73 +14,8 @@ if TYPE_CHECKING:
 
     from macram.data.spec import RenderSpec
 
-TIERS = ("smoke", "mini", "std", "full")
 LINES = 20
 """Problems that ``verify`` prints before it only counts."""
-
-
-def add_data(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
-    """The grammar of ``macram data``; ``verb`` makes a top-level verb."""
-    top = verb(
-        "data",
-        "data_verb",
-        "render a data set, look at one, check one",
-        "Reads SwissCube, BOP and SPEED folders and what `macram data render` writes.",
-    )
-    actions = top.add_subparsers(dest="action", metavar="ACTION", required=True)
-
-    render = actions.add_parser(
-        "render",
-        help="make a data set of a CubeSat in orbit",
-        description="Interrupted runs go on where they stopped; the result does not depend on --jobs. "
-        "Tiers: smoke (30 pictures of 128x128), mini (6,500 of 256x256), std (10,000 of 512x512), "
-        "full (50,000 of 1024x1024).",
-    )
-    render.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder of the data set")
-    render.add_argument("--tier", choices=TIERS, default="mini", help="default: mini")
-    render.add_argument(
-        "--seqs", type=int, nargs=3, metavar=("TRAIN", "VAL", "TEST"), help="sequences of each split"
-    )
-    render.add_argument("--frames", type=int, help="frames per sequence")
-    render.add_argument("--size", type=int, help="width and height in pixels")
-    render.add_argument("--focal", type=float, help="focal length in pixels")
-    render.add_argument("--dmin", type=float, help="nearest depth in diameters")
-    render.add_argument("--dmax", type=float, help="farthest depth in diameters")
-    render.add_argument("--seed", type=int, default=2022, help="default: 2022")
-    render.add_argument("--jobs", type=int, default=0, help="processes (default: one per core)")
-    render.add_argument("--background", action="store_true", help="also store pictures without the target")
-    render.add_argument(
-        "--format",
-        choices=("bop", "speed"),
-        default="bop",
-        help="SwissCube's layout or SPEED's (default: bop)",
-    )
-
-    info = actions.add_parser("info", help="counts and histograms")
-    info.add_argument("root", type=Path, metavar="DIR")
-    info.add_argument("--json", action="store_true", help="print JSON")
-
-    show = actions.add_parser("show", help="contact sheet with boxes and masks")
-    show.add_argument("root", type=Path, metavar="DIR")
-    show.add_argument("-o", "--out", type=Path, default=Path("build/sheet.png"), metavar="PNG")
-    show.add_argument("--split", help="default: the first")
-    show.add_argument("-n", "--number", type=int, default=24, help="pictures (default: 24)")
-    show.add_argument("--columns", type=int, default=6, help="default: 6")
-
-    verify = actions.add_parser("verify", help="decode every file, hold every pose against its mask")
-    verify.add_argument("root", type=Path, metavar="DIR")
-
-    compare = actions.add_parser(
-        "compare",
-        help="rendered frames beside Mitsuba's picture of the same scenes",
-        description="Ours, Mitsuba's, difference of the silhouettes (red: ours alone, blue: Mitsuba's alone). "
-        "Needs pip install 'macram[mitsuba]'.",
-    )
-    compare.add_argument("root", type=Path, metavar="DIR", help="data set of `macram data render`")
-    compare.add_argument("-o", "--out", type=Path, default=Path("build/compare.png"), metavar="PNG")
-    compare.add_argument("--split", help="default: the first")
-    compare.add_argument("--frames", type=int, default=4, help="frames, spread over the split (default: 4)")
-    compare.add_argument("--samples", type=int, default=64, help="rays per pixel (default: 64)")
 
 
 def data(arguments: argparse.Namespace) -> int:

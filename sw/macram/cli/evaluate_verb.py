@@ -6,6 +6,7 @@ import argparse
 from collections.abc import Callable
 from pathlib import Path
 
+from macram.cli.examples import say_more
 from macram.cli.status import OK
 
 DETAIL = (
@@ -15,15 +16,26 @@ DETAIL = (
 )
 COMPARED = 4
 """Frames on which training graph and integers are compared."""
+EXAMPLES = """\
+examples:
+  macram evaluate build/runs/quarter-wdr/model.safetensors --data build/data/mini
+  macram evaluate build/runs/quarter-w3a3/model.safetensors --data build/data/mini --integer --limit 100
+
+A frame counts as right at 0.1d if the model's points lie, on average, less than a tenth of the object's diameter
+from where they should; a frame without a pose counts as wrong.
+"""
 
 
 def add_evaluate(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
     """The grammar of ``macram evaluate``; ``verb`` makes a top-level verb."""
     sub = verb("evaluate", "evaluate_verb", "score a trained network on a data set", DETAIL)
-    sub.add_argument("checkpoint", type=Path, metavar="MODEL.safetensors")
+    say_more(sub, EXAMPLES)
+    sub.add_argument("checkpoint", type=Path, metavar="MODEL.safetensors", help="what a run has left")
     sub.add_argument("--data", type=Path, required=True, metavar="DIR", help="SwissCube, BOP or SPEED folder")
-    sub.add_argument("--split", help="default: testing, or the last one there is")
-    sub.add_argument("--limit", type=int, default=0, help="only so many frames, evenly spaced")
+    sub.add_argument("--split", help="part of the data set (default: testing, or the last one there is)")
+    sub.add_argument(
+        "--limit", type=int, default=0, metavar="N", help="only N frames, evenly spaced (default: all)"
+    )
     sub.add_argument(
         "-o",
         "--out",

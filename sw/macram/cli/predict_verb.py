@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from macram.cli.examples import say_more
 from macram.cli.status import OK
 
 if TYPE_CHECKING:
@@ -18,12 +19,18 @@ DETAIL = (
     "cam_t_m2c in mm; null where nothing was found). The focal length comes from --focal, else from a "
     "scene_camera.json beside the picture's folder, else from the training if the picture has its size."
 )
+EXAMPLES = """\
+examples:
+  macram predict photo.png -o build/poses --weights build/runs/quarter-wdr/model.safetensors --focal 620
+  macram predict build/data/mini/testing/seq_*/000000/rgb/*.png -o build/poses --weights model.safetensors
+"""
 
 
 def add_predict(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
     """The grammar of ``macram predict``; ``verb`` makes a top-level verb."""
     sub = verb("predict", "predict_verb", "find the object's pose in pictures", DETAIL)
-    sub.add_argument("images", type=Path, nargs="+", metavar="IMAGE")
+    say_more(sub, EXAMPLES)
+    sub.add_argument("images", type=Path, nargs="+", metavar="IMAGE", help="PNG or JPEG")
     sub.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder for the results")
     sub.add_argument("--weights", type=Path, required=True, metavar="FILE", help="model.safetensors of a run")
     sub.add_argument("--focal", type=float, help="focal length of the pictures in pixels")

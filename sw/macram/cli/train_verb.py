@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from macram.cli.examples import say_more
 from macram.cli.status import OK
 
 DETAIL = (
@@ -15,14 +16,32 @@ DETAIL = (
     "model.safetensors, last.safetensors, log.csv, TensorBoard events and sample pictures in run.out. Several "
     "processes: torchrun --nproc-per-node N -m macram.cli train CONFIG.toml."
 )
+EXAMPLES = """\
+examples:
+  macram data render -o build/data/mini --tier mini --background      pictures to learn from, once
+  macram train configs/train-quarter-wdr.toml                         stage 1
+  macram train configs/train-quarter-counterfactual.toml              stage 2, from what stage 1 left
+  macram train configs/train-quarter-w3a3.toml                        stage 3: 3 bits
+  macram train CONFIG.toml --resume                                   exactly as if it had not been interrupted
+  macram train CONFIG.toml --set run.precision=fp32                   no bfloat16, if a run diverges
+
+Every key of a configuration, with its meaning and default, stands in macram/train/settings.py (RunSettings
+and the classes below it); the stages and variants are explained in docs/vision.md.
+"""
 
 
 def add_train(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
     """The grammar of ``macram train``; ``verb`` makes a top-level verb."""
     sub = verb("train", "train_verb", "train a stage of the network", DETAIL)
-    sub.add_argument("config", type=Path, metavar="CONFIG.toml")
+    say_more(sub, EXAMPLES)
+    sub.add_argument("config", type=Path, metavar="CONFIG.toml", help="what to train, on what, for how long")
     sub.add_argument("--resume", action="store_true", help="go on from the checkpoint in run.out")
-    sub.add_argument("--device", choices=("auto", "cpu", "cuda"), default="auto", help="default: auto")
+    sub.add_argument(
+        "--device",
+        choices=("auto", "cpu", "cuda"),
+        default="auto",
+        help="auto (default): a GPU if there is one",
+    )
     sub.add_argument(
         "--set",
         action="append",

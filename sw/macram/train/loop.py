@@ -32,6 +32,7 @@ from macram.train.mixed import autocast_helps, exact_layers
 from macram.train.objective import Objective
 from macram.train.optimiser import Follower, make_optimiser
 from macram.train.pack import pack_frames, thinned
+from macram.train.resume import check_same_run, under
 from macram.train.samples import sample_sheet
 from macram.train.schedule import crop_phase, learning_rate, progress
 from macram.train.stages import Stage
@@ -41,8 +42,6 @@ from macram.train.warp import Cells, Warper
 from macram.train.watch import Watch
 
 LAST, MODEL = "last.safetensors", "model.safetensors"
-FREE_TO_CHANGE = ("log", "run.out", "run.init", "data.cache", "schedule.max_minutes")
-"""What a resumed run may have otherwise: it does not touch the numbers."""
 
 
 class Run:
@@ -286,17 +285,11 @@ class Run:
     def _restore(self) -> None:
         path = self.folder / LAST
         tensors, header = read_tensors(path)
-        mine, theirs = _flat(self.config.to_dict()), _flat(header["config"])
-        for key in sorted(mine.keys() | theirs.keys()):
-            free = any(key == name or key.startswith(f"{name}.") for name in FREE_TO_CHANGE)
-            if not free and mine.get(key) != theirs.get(key):
-                raise ValueError(
-                    f"{path}: was trained with {key} = {theirs.get(key)!r}, not {mine.get(key)!r}"
-                )
-        self.stage.module.load_state_dict(_under(tensors, "net/"))
+        check_same_run(path, self.config.to_dict(), header["config"])
+        self.stage.module.load_state_dict(under(tensors, "net/"))
         if self.average is not None:
-            self.average.load_state_dict(_under(tensors, "average/"))
-        restore_optimiser(self.optimiser, self.names, _under(tensors, "optimiser/"))
+            self.average.load_state_dict(under(tensors, "average/"))
+        restore_optimiser(self.optimiser, self.names, under(tensors, "optimiser/"))
         state = header["state"]
         self.step, self.visits, self.minutes = state["step"], state["visits"], state["minutes"]
 
@@ -321,20 +314,3 @@ class Run:
         table = evaluation.summary["fixed"]["all"]
         scores = {f"add_{limit}": table["add"][limit] for limit in ("0.1", "0.2", "0.5")}
         return {**scores, "misses": 100 * table["misses"] / table["frames"]}
-
-
-def _under(tensors: dict[str, Tensor], prefix: str) -> dict[str, Tensor]:
-    return {name.removeprefix(prefix): value for name, value in tensors.items() if name.startswith(prefix)}
-
-
-def _flat(table: Any, prefix: str = "") -> dict[str, Any]:
-    """Nested tables as dotted keys; JSON and Python agree on the values."""
-    result: dict[str, Any] = {}
-    items = table.items() if isinstance(table, dict) else enumerate(table)
-    for key, value in items:
-        name = f"{prefix}{key}"
-        if isinstance(value, dict) or (isinstance(value, list | tuple) and value):
-            result |= _flat(value, f"{name}.")
-        else:
-            result[name] = list(value) if isinstance(value, tuple) else value
-    return result

@@ -5,7 +5,7 @@ from __future__ import annotations
 import torch
 from torch import nn
 
-from macram.train.config import OptimiserSettings
+from macram.train.settings import OptimiserSettings
 
 
 def make_optimiser(settings: OptimiserSettings, parameters: list[nn.Parameter]) -> torch.optim.Optimizer:

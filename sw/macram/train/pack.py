@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from macram.data.erase import grow
 from macram.data.frame import Frame, Model
 from macram.data.open import open_dataset
-from macram.train.config import DataSettings
+from macram.train.settings import DataSettings
 
 LAYOUT = 1
 """Raised whenever packed files change their meaning."""

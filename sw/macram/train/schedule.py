@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from macram.train.config import CropPhase, ScheduleSettings, TrainConfig
+from macram.train.config import TrainConfig
+from macram.train.settings import CropPhase, ScheduleSettings
 
 
 def progress(settings: ScheduleSettings, step: int, minutes: float) -> float:
