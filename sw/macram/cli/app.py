@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 from macram import __version__
-from macram.cli import counts_verb, data_verb, evaluate_verb, predict_verb, train_verb
+from macram.cli import counts_verb, data_verb, evaluate_verb, predict_verb, train_verb, weights_verb
 from macram.cli.status import BAD_INPUT, FAILED
 
 SEED = 2022
@@ -38,6 +38,7 @@ examples:
   macram pack layer.npz -o build/packed        its BRAM images (.mem, .coe) and manifest
   macram rtl -o rtl                            the array's Verilog
   macram data render -o data --tier mini       a rendered data set with poses, masks, backgrounds
+  macram predict --weights quarter-w3a3 a.png -o poses     poses by the shipped 3-bit network
   macram counts                                the paper's tables of operations and storage
   macram sim                                   full-size reference layer and odd shapes, a table at the end
 
@@ -97,6 +98,7 @@ def parser() -> argparse.ArgumentParser:
     train_verb.add_train(verb)
     evaluate_verb.add_evaluate(verb)
     predict_verb.add_predict(verb)
+    weights_verb.add_weights(verb)
     return top
 
 

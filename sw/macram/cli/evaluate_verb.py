@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 from collections.abc import Callable
 from pathlib import Path
 
@@ -17,7 +18,10 @@ DETAIL = (
 def add_evaluate(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
     """The grammar of ``macram evaluate``; ``verb`` makes a top-level verb."""
     sub = verb("evaluate", "evaluate_verb", "score a trained network on a data set", DETAIL)
-    sub.add_argument("checkpoint", type=Path, metavar="MODEL.safetensors")
+    sub.add_argument(
+        "model", nargs="?", default="", metavar="MODEL", help="model.safetensors of a run, or a shipped name"
+    )
+    sub.add_argument("--weights", default="", metavar="MODEL", help="the same, as macram predict has it")
     sub.add_argument("--data", type=Path, required=True, metavar="DIR", help="SwissCube, BOP or SPEED folder")
     sub.add_argument("--split", help="default: testing, or the last one there is")
     sub.add_argument("--limit", type=int, default=0, help="only so many frames, evenly spaced")
@@ -41,7 +45,7 @@ def evaluate(arguments: argparse.Namespace) -> int:
     from rich.console import Console  # noqa: PLC0415
 
     from macram.data.files import write_picture  # noqa: PLC0415
-    from macram.data.open import open_dataset  # noqa: PLC0415
+    from macram.data.open import dataset_version, open_dataset  # noqa: PLC0415
     from macram.pose import RansacSettings  # noqa: PLC0415
     from macram.report.evaluation import write_evaluation  # noqa: PLC0415
     from macram.train.checkpoint import load_model  # noqa: PLC0415
@@ -49,8 +53,13 @@ def evaluate(arguments: argparse.Namespace) -> int:
     from macram.train.pack import thinned  # noqa: PLC0415
     from macram.train.predict import Predictor, evaluate_frames  # noqa: PLC0415
     from macram.train.samples import sample_sheet  # noqa: PLC0415
+    from macram.weights import sha256, weights_file  # noqa: PLC0415
 
-    net, card = load_model(arguments.checkpoint)
+    choice = arguments.weights or arguments.model
+    if not choice or (arguments.weights and arguments.model):
+        raise ValueError("name the network once: macram evaluate MODEL, or macram evaluate --weights MODEL")
+    path = weights_file(choice)
+    net, card = load_model(path)
     settings = RansacSettings(refine=not (arguments.no_refine or arguments.published))
     predictor = Predictor(
         net,
@@ -68,10 +77,13 @@ def evaluate(arguments: argparse.Namespace) -> int:
         evaluation, found = evaluate_frames(predictor, frames, told)
     arguments.out.mkdir(parents=True, exist_ok=True)
     details = {
-        "network": str(arguments.checkpoint),
+        "network": choice,
+        "sha256": sha256(path),
         "form": _form(card.mode, card.bits, integer=arguments.integer),
         "data": f"{arguments.data}, {split}",
+        "dataset": dataset_version(arguments.data),
         "solver": "EPnP RANSAC" + (" and Levenberg-Marquardt" if settings.refine else ""),
+        "command": _command(arguments, choice),
     }
     paths = write_evaluation(arguments.out, evaluation, title=f"Evaluation on {split}", details=details)
     write_picture(arguments.out / "samples.jpg", sample_sheet(frames, found))
@@ -86,6 +98,20 @@ def _form(mode: str, bits: int, *, integer: bool) -> str:
     if not mode:
         return "float32"
     return f"{bits} bit, mode {mode}, " + ("deployed integers" if integer else "training graph")
+
+
+def _command(arguments: argparse.Namespace, choice: str) -> str:
+    """What to type to get the same scores."""
+    words = ["macram", "evaluate", choice, "--data", str(arguments.data)]
+    for option in ("split", "limit"):
+        if value := getattr(arguments, option):
+            words += [f"--{option}", str(value)]
+    words += [
+        f"--{option.replace('_', '-')}"
+        for option in ("integer", "no_refine", "published")
+        if getattr(arguments, option)
+    ]
+    return shlex.join(words)
 
 
 class _progress:
