@@ -109,11 +109,18 @@ def _demo(verb: Verb) -> None:
     demo = verb(
         "demo",
         "demo_verb",
-        "image -> network -> layer -> array -> comparison -> report",
-        "Writes report.html, report.json, pictures and the packed layer.",
+        "image -> pose -> layer -> array -> comparison -> report",
+        "The shipped 3-bit network finds the pose as integers, and a layer of it runs on the array; so does the "
+        "reference layer of the paper's size. Writes report.html, report.json, pictures and the packed layer.",
     )
     demo.add_argument("--image", type=Path, help="picture to show the network (default: an example)")
-    demo.add_argument("--checkpoint", type=Path, help="network weights (default: seeded initialisation)")
+    demo.add_argument(
+        "--focal", type=float, help="its focal length in pixels (default: beside it, else the training's)"
+    )
+    demo.add_argument(
+        "--checkpoint", type=Path,
+        help="weights of the reference layer's network (default: the shipped ones, else a seeded initialisation)",
+    )  # fmt: skip
     _out(demo, "build/demo")
     _traffic(demo)
 
