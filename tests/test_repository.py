@@ -35,7 +35,7 @@ LAYERS = (
     {"macram.front"},
     {"macram.report"},
     {"macram.train"},
-    {"macram.layer_job"},
+    {"macram.layer_job", "macram.experiments"},
     {"macram.cpu_latency"},
     {"macram.demo", "macram.bench"},
     {"macram.cli"},

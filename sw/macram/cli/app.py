@@ -11,7 +11,15 @@ from importlib import import_module
 from pathlib import Path
 
 from macram import __version__
-from macram.cli import counts_verb, data_verb, evaluate_verb, predict_verb, train_verb, weights_verb
+from macram.cli import (
+    counts_verb,
+    data_verb,
+    evaluate_verb,
+    experiments_verb,
+    predict_verb,
+    train_verb,
+    weights_verb,
+)
 from macram.cli.status import BAD_INPUT, FAILED
 
 SEED = 2022
@@ -99,6 +107,7 @@ def parser() -> argparse.ArgumentParser:
     evaluate_verb.add_evaluate(verb)
     predict_verb.add_predict(verb)
     weights_verb.add_weights(verb)
+    experiments_verb.add_experiments(verb)
     return top
 
 

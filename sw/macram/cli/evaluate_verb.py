@@ -4,10 +4,19 @@ from __future__ import annotations
 
 import argparse
 import shlex
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from macram.cli.status import OK
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.progress import TaskID
+
+QUIET_S = 30.0
 
 DETAIL = (
     "Writes evaluation.json (every frame), evaluation.md, evaluation.png and samples.jpg. Pictures are brought to "
@@ -73,7 +82,7 @@ def evaluate(arguments: argparse.Namespace) -> int:
     split = arguments.split or ("testing" if "testing" in dataset.splits else dataset.splits[-1])
     frames = thinned(dataset.frames(split), arguments.limit)
     console = Console()
-    with _progress(console, len(frames)) as told:
+    with frames_progress(console) as told:
         evaluation, found = evaluate_frames(predictor, frames, told)
     arguments.out.mkdir(parents=True, exist_ok=True)
     details = {
@@ -114,20 +123,25 @@ def _command(arguments: argparse.Namespace, choice: str) -> str:
     return shlex.join(words)
 
 
-class _progress:
-    """A bar of frames on a terminal, silence elsewhere."""
+@contextmanager
+def frames_progress(console: Console) -> Iterator[Callable[[int, int], None]]:
+    """A bar of scored frames on a terminal, elsewhere a line every half minute; the frames done and their total."""
+    from rich.progress import Progress  # noqa: PLC0415
 
-    def __init__(self, console: object, total: int) -> None:
-        from rich.console import Console  # noqa: PLC0415
-        from rich.progress import Progress  # noqa: PLC0415
+    bar, told = Progress(console=console, disable=not console.is_terminal), time.monotonic()
+    task: TaskID | None = None
 
-        assert isinstance(console, Console)
-        self.bar = Progress(console=console, disable=not console.is_terminal)
-        self.task = self.bar.add_task("evaluating", total=total)
+    def tell(done: int, total: int) -> None:
+        nonlocal task, told
+        if task is None:  # not before there is something to show: training has a bar of its own
+            bar.start()
+            task = bar.add_task("evaluating", total=total)
+        bar.update(task, completed=done)
+        if not console.is_terminal and time.monotonic() - told > QUIET_S:
+            told = time.monotonic()
+            console.print(f"evaluating: {done}/{total} frames", highlight=False, markup=False)
 
-    def __enter__(self) -> Callable[[int, int], None]:
-        self.bar.start()
-        return lambda done, total: self.bar.update(self.task, completed=done)
-
-    def __exit__(self, *error: object) -> None:
-        self.bar.stop()
+    try:
+        yield tell
+    finally:
+        bar.stop()
