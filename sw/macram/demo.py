@@ -66,18 +66,25 @@ def learned_pose(image: Path | None, focal: float | None) -> tuple[Path, Learned
 def reference_front(image: Path | None, *, checkpoint: Path | None, seed: int) -> tuple[Path, FrontResult]:
     """The reference layer's codes for ``image``, or for the first example image.
 
-    Without a checkpoint the network is calibrated on the examples, or on ``image`` where there are none.
+    Without a checkpoint it is the shipped network of the role ``reference_layer``; while there is none, a seeded
+    one calibrated on the examples, or on ``image`` where there are none.
 
     Raises:
         ValueError: an image or the checkpoint is missing or unfit, or there is no image at all.
     """
     from macram.front import reference_case  # noqa: PLC0415
+    from macram.weights import role  # noqa: PLC0415
 
     examples = example_images()
     if image is None:
         if not examples:
             raise ValueError("no example image in this installation; name one with --image PICTURE")
         image = examples[0]
+    network = None if checkpoint else role("reference_layer")
+    if network is not None:
+        from macram.train.learned import reference_network  # noqa: PLC0415
+
+        return image, reference_case(image, network=reference_network(network))
     return image, reference_case(image, checkpoint=checkpoint, seed=seed, calibration=examples)
 
 
@@ -119,7 +126,7 @@ def run_demo(
     with stage("image -> pose, by the deployed integers of a learned network"):
         image, learned = learned_pose(image, focal)
     with stage("image through the paper-size network to the reference layer"):
-        image, front = reference_front(image, checkpoint=checkpoint or _front_weights(), seed=traffic.seed)
+        image, front = reference_front(image, checkpoint=checkpoint, seed=traffic.seed)
     case = front.case
     out.mkdir(parents=True, exist_ok=True)
     case.save(out / "layer.npz")
@@ -180,11 +187,3 @@ def _comparisons(deployed: NDArray[np.int64], run: LayerRun) -> list[dict[str, A
             ("deployed PyTorch = hardware", deployed, run.produced),
         )
     ]
-
-
-def _front_weights() -> Path | None:
-    """The shipped network of the paper's width, once there is one."""
-    from macram.weights import role  # noqa: PLC0415
-
-    network = role("reference_layer")
-    return None if network is None else network.checked()

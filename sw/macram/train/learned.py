@@ -22,6 +22,7 @@ from macram.pose.metrics import add, re, te
 from macram.pose.rigid import Floats, camera_matrix
 from macram.quant import DeployedNetwork, host_codes, lower
 from macram.quant.network import QuantDarkNet53
+from macram.train.checkpoint import load_model
 from macram.train.predict import Predictor
 from macram.train.samples import box_of
 from macram.weights import Shipped
@@ -96,6 +97,22 @@ def learned_front(image: Path, network: Shipped, *, focal: float | None = None) 
     if found is not None and known is not None:
         report["errors"] = _errors(found.pose, known, corners, card.diameter)
     return LearnedFront(report, drawn, case, codes)
+
+
+def reference_network(network: Shipped) -> tuple[QuantDarkNet53, dict[str, Any]]:
+    """The backbone of a shipped network whose first two stages have the paper's width, and its provenance.
+
+    Raises:
+        ValueError: weights that are missing, changed, or of another width.
+    """
+    net, card = load_model(network.checked())
+    backbone = net.backbone
+    width = card.network.backbone.width
+    if not isinstance(backbone, QuantDarkNet53) or width != 1:
+        raise ValueError(
+            f"{network.name}: is no quantised network of the paper's width; train size paper-front"
+        )
+    return backbone, {"weights": f"{network.name}, learned", "checkpoint_sha256": network.about["sha256"]}
 
 
 def _layer(backbone: QuantDarkNet53, picture: NDArray[np.uint8]) -> tuple[LayerCase, NDArray[np.int64]]:
