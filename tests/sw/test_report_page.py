@@ -62,6 +62,7 @@ def chain(monkeypatch):
             "image": image.name, "cam_K": [1.0] * 9, "camera": "assumed", "network": network.name,
             "form": "3 bit", "sha256": about["sha256"], "scores": about["scores"], "layer": "stage2.unit1.expand",
             "pose": {"cam_t_m2c": [1.0, 2.0, 300.0], "score": 0.5},
+            "errors": {"rotation_deg": 2.5, "translation_mm": 3.5, "distance_mm": 301.0, "add_corners_d": 0.0625},
         }  # fmt: skip
         picture = np.asarray(Image.open(image).convert("RGB"))
         codes = state.learned(run_layer(case))
@@ -248,7 +249,7 @@ def test_cycle_rows_sum_to_the_total():
 def test_a_missing_picture_is_an_error_not_a_gap(chain, photo, tmp_path):
     assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 0
     report = json.loads((tmp_path / "d/report.json").read_text())
-    with pytest.raises(KeyError, match=r"image\.png"):
+    with pytest.raises(KeyError, match=r"pose\.png"):
         render(report, {})
 
 

@@ -50,7 +50,7 @@ def _pose_line(pose: dict[str, Any]) -> str:
         return line + "no pose"
     x, y, z = pose["pose"]["cam_t_m2c"]
     line += f"at {x:.0f} {y:.0f} {z:.0f} mm, score {pose['pose']['score']:.2f}"
-    if errors := pose.get("errors"):
+    if errors := pose["errors"]:
         line += f"; off by {errors['rotation_deg']:.1f} deg and {errors['translation_mm']:.1f} mm"
     return line
 

@@ -107,10 +107,12 @@ def difference(one: Frames, other: Frames, threshold: float = THRESHOLD_D) -> tu
 
 
 def limits(frames: Frames) -> list[dict[str, Any]]:
-    """By range: what keeps poses from being within 0.1 d."""
+    """By range that has frames, and over all: what keeps poses from being within 0.1 d."""
     table = []
     for name in (*BUCKETS, "all"):
         chosen = frames.within(name)
+        if not chosen.any():
+            continue
         turned, moved = frames.re_deg[chosen], frames.te_d[chosen]
         found = np.isfinite(turned)
         table.append(

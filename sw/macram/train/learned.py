@@ -93,9 +93,8 @@ def learned_front(image: Path, network: Shipped, *, focal: float | None = None) 
         "scores": network.about["scores"],
         "pose": None if found is None else found.to_dict(),
         "layer": REFERENCE_LAYER,
+        "errors": _errors(found.pose, known, corners, card.diameter) if found and known else None,
     }
-    if found is not None and known is not None:
-        report["errors"] = _errors(found.pose, known, corners, card.diameter)
     return LearnedFront(report, drawn, case, codes)
 
 
