@@ -38,6 +38,7 @@ def released(rendered, root):
 
 
 @pytest.mark.parametrize("layout", ["rendered", "released"])
+@pytest.mark.slow
 @pytest.mark.timeout(600)
 def test_train_and_score(layout, rendered, tmp_path):
     root = rendered if layout == "rendered" else released(rendered, tmp_path / "SPEED")

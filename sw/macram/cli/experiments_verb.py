@@ -85,7 +85,7 @@ def _list(arguments: argparse.Namespace) -> int:
     states = [job.state(arguments.runs, arguments.results) for job in jobs]
     rows: list[dict[str, Any]] = []
     for job, state in zip(jobs, states, strict=True):
-        row = {
+        row: dict[str, Any] = {
             "row": job.row.name,
             "seed": job.seed,
             "title": job.row.title,
