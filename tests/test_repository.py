@@ -22,7 +22,7 @@ CODE = {
 }
 
 LAYERS = (
-    {"macram.spec"},
+    {"macram.spec", "macram.weights"},
     {"macram.layer_file", "macram.perf", "macram_hw"},
     {"macram.golden"},
     {"macram.pack"},
@@ -37,7 +37,7 @@ LAYERS = (
     {"macram.front"},
     {"macram.report"},
     {"macram.train"},
-    {"macram.layer_job"},
+    {"macram.layer_job", "macram.experiments"},
     {"macram.cpu_latency", "macram.designs"},
     {"macram.network_latency"},
     {"macram.demo", "macram.bench"},

@@ -53,7 +53,20 @@ class Page(HTMLParser):
 def chain(monkeypatch):
     """The demo with a small layer: `.hardware` and `.deployed` may spoil the codes of either."""
     same = lambda codes: codes  # noqa: E731
-    state = types.SimpleNamespace(hardware=same, deployed=same, spec=SPEC, front=[])
+    state = types.SimpleNamespace(hardware=same, deployed=same, spec=SPEC, front=[], learned=same)
+
+    def learned_front(image, network, *, focal):
+        case = random_case(state.spec, 1)
+        about = network.about
+        report = {
+            "image": image.name, "cam_K": [1.0] * 9, "camera": "assumed", "network": network.name,
+            "form": "3 bit", "sha256": about["sha256"], "scores": about["scores"], "layer": "stage2.unit1.expand",
+            "pose": {"cam_t_m2c": [1.0, 2.0, 300.0], "score": 0.5},
+            "errors": {"rotation_deg": 2.5, "translation_mm": 3.5, "distance_mm": 301.0, "add_corners_d": 0.0625},
+        }  # fmt: skip
+        picture = np.asarray(Image.open(image).convert("RGB"))
+        codes = state.learned(run_layer(case))
+        return types.SimpleNamespace(report=report, picture=picture, case=case, deployed_codes=codes)
 
     def reference_case(image, **options):
         state.front.append((image, options))
@@ -67,7 +80,11 @@ def chain(monkeypatch):
         )
 
     def simulate(packed, codes, **options):
-        expected = run_layer(random_case(state.spec, options["seed"]))
+        expected = next(
+            run_layer(case)
+            for case in (random_case(state.spec, seed) for seed in (1, options["seed"]))
+            if np.array_equal(case.input, codes)
+        )
         counters = {name: 100 - 9 * i for i, name in enumerate(COUNTERS)}
         counters["cycles"] = sum(counters.values())
         produced = state.hardware(expected)
@@ -76,6 +93,8 @@ def chain(monkeypatch):
         )
 
     monkeypatch.setitem(sys.modules, "macram.front", types.SimpleNamespace(reference_case=reference_case))
+    learned = types.SimpleNamespace(learned_front=learned_front)
+    monkeypatch.setitem(sys.modules, "macram.train.learned", learned)
     fake = types.SimpleNamespace(simulate=simulate, build_array=lambda array, *, waves: None)
     monkeypatch.setitem(sys.modules, "macram_sim", types.ModuleType("macram_sim"))
     monkeypatch.setitem(sys.modules, "macram_sim.array", fake)
@@ -101,20 +120,29 @@ def test_demo_leaves_everything_it_promises(chain, photo, tmp_path, capsys):
     out = tmp_path / "demo"
     assert main(["demo", "--image", str(photo), "-o", str(out), "--seed", "5"]) == 0
     lines = capsys.readouterr().out
-    assert "[1/7] image through the network to the layer" in lines
+    assert "[2/9] image through the paper-size network to the reference layer" in lines
     assert f"{12 * 10 * 14:,} output codes compared, 0 differ" in " ".join(lines.split())
     assert "report.html" in lines
     report = json.loads((out / "report.json").read_text())
     assert report["passed"]
     assert [row["compared"] for row in report["comparisons"]] == [1680] * 3
-    assert len(report["stages"]) == 7
+    assert len(report["stages"]) == 9
     names = [report["gallery"]["image"]["file"], report["gallery"]["sheet"]]
     names += [item["file"] for item in report["gallery"]["inputs"]]
     names += [item[k] for item in report["gallery"]["outputs"] for k in ("hardware", "golden", "difference")]
     for name in names:
         Image.open(out / name).verify()
     files = {path.name for path in out.iterdir()}
-    assert files == {"layer.npz", "packed", "output.npz", "report.json", "report.html", *names}
+    names += ["pose.png"]
+    assert files == {
+        "layer.npz",
+        "learned_layer.npz",
+        "packed",
+        "output.npz",
+        "report.json",
+        "report.html",
+        *names,
+    }
     assert chain.front[0][1]["seed"] == 5
     assert str(tmp_path) not in (out / "report.json").read_text() + (out / "report.html").read_text()
 
@@ -124,7 +152,7 @@ def test_page_is_whole_and_needs_nothing_else(chain, photo, tmp_path):
     html = (tmp_path / "d/report.html").read_text()
     page = Page(html)
     text = " ".join(" ".join(page.text).split())
-    assert len(page.addresses) == 1 + 8 + 3 * 6
+    assert len(page.addresses) == 2 + 8 + 3 * 6
     assert all(address.startswith("data:image/png;base64,") for address in page.addresses)
     assert "<script" not in html
     assert not re.search(r"url\(|@import|https?:", html)
@@ -145,6 +173,14 @@ def test_any_of_the_three_being_wrong_fails(wrong, rows, chain, photo, tmp_path,
     assert 'class="verdict bad"' in page
     assert "(2, 3, 4)" in page
     assert "1 differ" in capsys.readouterr().out
+
+
+def test_a_wrong_code_of_the_learned_layer_fails(chain, photo, tmp_path, capsys):
+    chain.learned = flip
+    assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 1
+    report = json.loads((tmp_path / "d/report.json").read_text())
+    assert [row["mismatches"] for row in report["pose"]["comparisons"]] == [1, 0, 1]
+    assert not any(row["mismatches"] for row in report["comparisons"])
 
 
 def test_three_times_the_same_wrong_code_is_no_proof_of_golden(chain, photo, tmp_path):
@@ -213,7 +249,7 @@ def test_cycle_rows_sum_to_the_total():
 def test_a_missing_picture_is_an_error_not_a_gap(chain, photo, tmp_path):
     assert main(["demo", "--image", str(photo), "-o", str(tmp_path / "d")]) == 0
     report = json.loads((tmp_path / "d/report.json").read_text())
-    with pytest.raises(KeyError, match=r"image\.png"):
+    with pytest.raises(KeyError, match=r"pose\.png"):
         render(report, {})
 
 

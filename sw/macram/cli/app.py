@@ -15,9 +15,11 @@ from macram.cli import (
     data_grammar,
     designs_verb,
     evaluate_verb,
+    experiments_verb,
     export_verb,
     predict_verb,
     train_verb,
+    weights_verb,
 )
 from macram.cli.examples import say_more
 from macram.cli.status import BAD_INPUT, FAILED
@@ -47,6 +49,7 @@ examples:
   macram rtl -o rtl                            the array's Verilog
   macram export vivado -o build/vivado         RTL, Tcl and overlay for an Ultra96-V2
   macram data render -o data --tier mini       a rendered data set with poses, masks, backgrounds
+  macram predict --weights quarter-w3a3 a.png -o poses     poses by the shipped 3-bit network
   macram counts                                the paper's tables of operations and storage
   macram train configs/train-tiny.toml         train a stage; see configs/ for the others
   macram evaluate runs/a/model.safetensors --data data     score it
@@ -114,6 +117,8 @@ def parser() -> argparse.ArgumentParser:
     train_verb.add_train(verb)
     evaluate_verb.add_evaluate(verb)
     predict_verb.add_predict(verb)
+    weights_verb.add_weights(verb)
+    experiments_verb.add_experiments(verb)
     return top
 
 
@@ -124,11 +129,18 @@ def _demo(verb: Verb) -> None:
     demo = verb(
         "demo",
         "demo_verb",
-        "image -> network -> layer -> array -> comparison -> report",
-        "Writes report.html, report.json, pictures and the packed layer.",
+        "image -> pose -> layer -> array -> comparison -> report",
+        "The shipped 3-bit network finds the pose as integers, and a layer of it runs on the array; so does the "
+        "reference layer of the paper's size. Writes report.html, report.json, pictures and the packed layer.",
     )
     demo.add_argument("--image", type=Path, help="picture to show the network (default: an example)")
-    demo.add_argument("--checkpoint", type=Path, help="network weights (default: seeded initialisation)")
+    demo.add_argument(
+        "--focal", type=float, help="its focal length in pixels (default: beside it, else the training's)"
+    )
+    demo.add_argument(
+        "--checkpoint", type=Path,
+        help="weights of the reference layer's network (default: the shipped ones, else a seeded initialisation)",
+    )  # fmt: skip
     _out(demo, "build/demo")
     _traffic(demo)
 

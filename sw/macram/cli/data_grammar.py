@@ -42,6 +42,12 @@ def add_data(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> N
     render.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder of the data set")
     render.add_argument("--tier", choices=TIERS, default="mini", help="default: mini")
     render.add_argument(
+        "--recipe",
+        type=Path,
+        metavar="TOML",
+        help="a data set fixed for good, in place of all options but --jobs",
+    )
+    render.add_argument(
         "--seqs",
         type=int,
         nargs=3,

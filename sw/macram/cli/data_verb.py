@@ -31,8 +31,10 @@ def _render(arguments: argparse.Namespace, console: Console) -> int:
     import os  # noqa: PLC0415
 
     from macram.data.produce import produce  # noqa: PLC0415
+    from macram.data.recipe import read_recipe  # noqa: PLC0415
 
-    spec = spec_of(arguments)
+    recipe = None if arguments.recipe is None else read_recipe(arguments.recipe)
+    spec = spec_of(arguments) if recipe is None else recipe.spec
     jobs = arguments.jobs or os.cpu_count() or 1
     start, before = time.perf_counter(), None
     _announce(console, f"rendering {spec.total} pictures into {arguments.out}")
@@ -49,6 +51,8 @@ def _render(arguments: argparse.Namespace, console: Console) -> int:
                 told = done * 10 // spec.total
                 left = (spec.total - done) / rate if rate else 0.0
                 console.print(f"{done}/{spec.total} pictures, {rate:.1f} img/s, {left:.0f} s to go")
+    if recipe is not None:
+        recipe.check(arguments.out)
     made = spec.total - (before or 0)
     seconds = time.perf_counter() - start
     console.print(

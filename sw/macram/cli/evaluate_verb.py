@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
+import shlex
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from macram.cli.examples import say_more
 from macram.cli.status import OK
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.progress import TaskID
+
+QUIET_S = 30.0
 
 DETAIL = (
     "Writes evaluation.json (every frame), evaluation.md, evaluation.png and samples.jpg. Pictures are brought to "
@@ -30,7 +40,14 @@ def add_evaluate(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) 
     """The grammar of ``macram evaluate``; ``verb`` makes a top-level verb."""
     sub = verb("evaluate", "evaluate_verb", "score a trained network on a data set", DETAIL)
     say_more(sub, EXAMPLES)
-    sub.add_argument("checkpoint", type=Path, metavar="MODEL.safetensors", help="what a run has left")
+    sub.add_argument(
+        "model",
+        nargs="?",
+        default="",
+        metavar="MODEL",
+        help="model.safetensors that a run has left, or a shipped name (macram weights)",
+    )
+    sub.add_argument("--weights", default="", metavar="MODEL", help="the same, as macram predict has it")
     sub.add_argument("--data", type=Path, required=True, metavar="DIR", help="SwissCube, BOP or SPEED folder")
     sub.add_argument("--split", help="part of the data set (default: testing, or the last one there is)")
     sub.add_argument(
@@ -56,7 +73,7 @@ def evaluate(arguments: argparse.Namespace) -> int:
     from rich.console import Console  # noqa: PLC0415
 
     from macram.data.files import write_picture  # noqa: PLC0415
-    from macram.data.open import open_dataset  # noqa: PLC0415
+    from macram.data.open import dataset_version, open_dataset  # noqa: PLC0415
     from macram.pose import RansacSettings  # noqa: PLC0415
     from macram.report.evaluation import write_evaluation  # noqa: PLC0415
     from macram.train.checkpoint import load_model  # noqa: PLC0415
@@ -64,8 +81,13 @@ def evaluate(arguments: argparse.Namespace) -> int:
     from macram.train.pack import thinned  # noqa: PLC0415
     from macram.train.predict import Predictor, compare_frames, evaluate_frames  # noqa: PLC0415
     from macram.train.samples import sample_sheet  # noqa: PLC0415
+    from macram.weights import sha256, weights_file  # noqa: PLC0415
 
-    net, card = load_model(arguments.checkpoint)
+    choice = arguments.weights or arguments.model
+    if not choice or (arguments.weights and arguments.model):
+        raise ValueError("name the network once: macram evaluate MODEL, or macram evaluate --weights MODEL")
+    path = weights_file(choice)
+    net, card = load_model(path)
     settings = RansacSettings(refine=not (arguments.no_refine or arguments.published))
     predictor = Predictor(
         net,
@@ -79,14 +101,17 @@ def evaluate(arguments: argparse.Namespace) -> int:
     split = arguments.split or ("testing" if "testing" in dataset.splits else dataset.splits[-1])
     frames = thinned(dataset.frames(split), arguments.limit)
     console = Console()
-    with _progress(console, len(frames)) as told:
+    with frames_progress(console) as told:
         evaluation, found = evaluate_frames(predictor, frames, told)
     arguments.out.mkdir(parents=True, exist_ok=True)
     details = {
-        "network": str(arguments.checkpoint),
+        "network": choice,
+        "sha256": sha256(path),
         "form": _form(card.mode, card.bits, integer=arguments.integer),
         "data": f"{arguments.data}, {split}",
+        "dataset": dataset_version(arguments.data),
         "solver": "EPnP RANSAC" + (" and Levenberg-Marquardt" if settings.refine else ""),
+        "command": _command(arguments, choice),
     }
     layers = []
     if card.mode == "III" and net.config.deployable:
@@ -116,20 +141,39 @@ def _form(mode: str, bits: int, *, integer: bool) -> str:
     return f"{bits} bit, mode {mode}, " + ("deployed integers" if integer else "training graph")
 
 
-class _progress:
-    """A bar of frames on a terminal, silence elsewhere."""
+def _command(arguments: argparse.Namespace, choice: str) -> str:
+    """What to type to get the same scores."""
+    words = ["macram", "evaluate", choice, "--data", str(arguments.data)]
+    for option in ("split", "limit"):
+        if value := getattr(arguments, option):
+            words += [f"--{option}", str(value)]
+    words += [
+        f"--{option.replace('_', '-')}"
+        for option in ("integer", "no_refine", "published")
+        if getattr(arguments, option)
+    ]
+    return shlex.join(words)
 
-    def __init__(self, console: object, total: int) -> None:
-        from rich.console import Console  # noqa: PLC0415
-        from rich.progress import Progress  # noqa: PLC0415
 
-        assert isinstance(console, Console)
-        self.bar = Progress(console=console, disable=not console.is_terminal)
-        self.task = self.bar.add_task("evaluating", total=total)
+@contextmanager
+def frames_progress(console: Console) -> Iterator[Callable[[int, int], None]]:
+    """A bar of scored frames on a terminal, elsewhere a line every half minute; the frames done and their total."""
+    from rich.progress import Progress  # noqa: PLC0415
 
-    def __enter__(self) -> Callable[[int, int], None]:
-        self.bar.start()
-        return lambda done, total: self.bar.update(self.task, completed=done)
+    bar, told = Progress(console=console, disable=not console.is_terminal), time.monotonic()
+    task: TaskID | None = None
 
-    def __exit__(self, *error: object) -> None:
-        self.bar.stop()
+    def tell(done: int, total: int) -> None:
+        nonlocal task, told
+        if task is None:  # not before there is something to show: training has a bar of its own
+            bar.start()
+            task = bar.add_task("evaluating", total=total)
+        bar.update(task, completed=done)
+        if not console.is_terminal and time.monotonic() - told > QUIET_S:
+            told = time.monotonic()
+            console.print(f"evaluating: {done}/{total} frames", highlight=False, markup=False)
+
+    try:
+        yield tell
+    finally:
+        bar.stop()

@@ -32,7 +32,12 @@ def add_predict(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -
     say_more(sub, EXAMPLES)
     sub.add_argument("images", type=Path, nargs="+", metavar="IMAGE", help="PNG or JPEG")
     sub.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder for the results")
-    sub.add_argument("--weights", type=Path, required=True, metavar="FILE", help="model.safetensors of a run")
+    sub.add_argument(
+        "--weights",
+        required=True,
+        metavar="MODEL",
+        help="model.safetensors of a run, or a shipped name (macram weights list)",
+    )
     sub.add_argument("--focal", type=float, help="focal length of the pictures in pixels")
     sub.add_argument("--integer", action="store_true", help="run the deployed integers (mode III, CPU)")
     sub.add_argument("--device", choices=("auto", "cpu", "cuda"), default="auto", help="default: auto")
@@ -49,10 +54,11 @@ def predict(arguments: argparse.Namespace) -> int:
     from macram.train.distributed import join_processes  # noqa: PLC0415
     from macram.train.predict import Predictor  # noqa: PLC0415
     from macram.train.samples import box_of  # noqa: PLC0415
+    from macram.weights import weights_file  # noqa: PLC0415
 
     names = _names(arguments.images)
     device = join_processes("cpu" if arguments.integer else arguments.device).device
-    predictor = Predictor.load(arguments.weights, device, integer=arguments.integer)
+    predictor = Predictor.load(weights_file(arguments.weights), device, integer=arguments.integer)
     card = predictor.card
     # All pictures are read before the first result is written: a bad one leaves nothing behind.
     pictures = []
@@ -74,7 +80,7 @@ def predict(arguments: argparse.Namespace) -> int:
         pose = None if found is None else found.to_dict()
         table[name] = {"image": str(path), "cam_K": camera.ravel().tolist(), "pose": pose}
         console.print(f"{path}: {label}", highlight=False, markup=False, soft_wrap=True)
-    about = {"weights": str(arguments.weights), "target": card.target, "mode": card.mode, "bits": card.bits}
+    about = {"weights": arguments.weights, "target": card.target, "mode": card.mode, "bits": card.bits}
     write_json(arguments.out / "poses.json", {**about, "integer": arguments.integer, "poses": table})
     return OK
 

@@ -61,7 +61,12 @@ class FrontResult:
 
 
 def reference_case(
-    image: Path, *, checkpoint: Path | None = None, seed: int = 2022, calibration: Sequence[Path] = ()
+    image: Path,
+    *,
+    checkpoint: Path | None = None,
+    seed: int = 2022,
+    calibration: Sequence[Path] = (),
+    network: tuple[QuantDarkNet53, dict[str, Any]] | None = None,
 ) -> FrontResult:
     """Takes an image through the deployed network to the reference layer.
 
@@ -70,12 +75,15 @@ def reference_case(
         checkpoint: as for `prepare_network`.
         seed: as for `prepare_network`.
         calibration: as for `prepare_network`; ``image`` itself if empty.
+        network: one that is ready, as `prepare_network` returns it, in place of these three.
 
     Raises:
         ValueError: an image or the checkpoint is missing or unfit.
     """
     picture = read_image(image)
-    net, provenance = prepare_network(checkpoint=checkpoint, seed=seed, calibration=calibration or [image])
+    net, provenance = network or prepare_network(
+        checkpoint=checkpoint, seed=seed, calibration=calibration or [image]
+    )
     tensor = normalise(picture)
     program = lower(net, IMAGE_SIZE, IMAGE_SIZE, last=REFERENCE_LAYER)
     tensors = DeployedNetwork(program)(host_codes(net, tensor))

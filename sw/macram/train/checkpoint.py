@@ -22,6 +22,7 @@ from macram.model.spacenet import SURFACE
 from macram.quant import Precision, quantise
 from macram.report.files import write_bytes
 from macram.spec import IntFormat
+from macram.train.packed import PACKED, pack_tensors, unpack_tensors
 
 HEADER = "macram"
 FORMAT = 1
@@ -121,8 +122,20 @@ def save_model(path: Path, net: SpaceNet, card: Card) -> None:
     write_tensors(path, state, {"card": card.to_dict()})
 
 
+def save_packed(path: Path, net: SpaceNet, card: Card) -> None:
+    """Writes a network as small as it goes, see `macram.train.packed`; `load_model` reads it.
+
+    Raises:
+        ValueError: a weight step was never set or differs by channel.
+    """
+    tensors, packed = pack_tensors(net)
+    tensors = {name: value for name, value in tensors.items() if not name.startswith(SURFACE)}
+    card = replace(card, network=replace(net.config, surface=False))
+    write_tensors(path, tensors, {"card": card.to_dict(), PACKED: packed})
+
+
 def load_model(path: Path) -> tuple[SpaceNet, Card]:
-    """A network in evaluation mode, float or quantised as its card says.
+    """A network in evaluation mode, float or quantised as its card says, from a plain or a packed file.
 
     Raises:
         ValueError: not such a file, or its tensors do not fit its card.
@@ -132,7 +145,7 @@ def load_model(path: Path) -> tuple[SpaceNet, Card]:
         raise ValueError(f"{path}: is no network; give the run's model.safetensors")
     card = Card.from_dict(header["card"])
     net = build(card)
-    load_state(net, tensors, path)
+    load_state(net, unpack_tensors(tensors, header.get(PACKED, {}), path), path)
     return net.eval(), card
 
 

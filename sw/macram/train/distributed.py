@@ -145,3 +145,8 @@ def share_batch_norm(module: nn.Module) -> None:
         if type(layer) is nn.BatchNorm2d:
             # The same parameters, names and state under another forward; a new module would lose the sharing.
             layer.__class__ = SharedBatchNorm2d
+
+
+def processor_name(device: torch.device) -> str:
+    """What a run was computed on, in words."""
+    return torch.cuda.get_device_name(device) if device.type == "cuda" else "CPU"

@@ -1,0 +1,167 @@
+"""``macram experiments list | run | record | table``."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from macram.cli.status import OK
+
+DETAIL = (
+    "Rows stand in configs/experiments.toml, their records in results/, and docs/results.md is made of the records "
+    "alone. Run it in the repository."
+)
+
+
+def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
+    """The grammar of ``macram experiments``; ``verb`` makes a top-level verb."""
+    top = verb("experiments", "experiments_verb", "run the rows behind docs/results.md", DETAIL)
+    actions = top.add_subparsers(dest="action", metavar="ACTION", required=True)
+
+    rows = actions.add_parser("list", help="every row and seed, and how far it is")
+    rows.add_argument("--json", action="store_true", help="print JSON")
+
+    run = actions.add_parser(
+        "run",
+        help="train and score a row",
+        description="Trains the row (and the row it continues, if its network is not there), scores it on the test "
+        "split and writes its record. What is done is not done again; an interrupted run goes on from its checkpoint.",
+    )
+    run.add_argument("row", help="as macram experiments list has it, or all")
+    run.add_argument("--seed", type=int, help="only this one of the row's seeds")
+    run.add_argument(
+        "--limit", type=int, default=0, help="score only so many test frames; the record says so"
+    )
+
+    record = actions.add_parser(
+        "record",
+        help="score a row that was trained elsewhere",
+        description="The run's own configuration is held against the row's first.",
+    )
+    record.add_argument("row", help="as macram experiments list has it")
+    record.add_argument("folder", type=Path, metavar="RUN", help="with model.safetensors and log.csv")
+    record.add_argument("--device", required=True, help="what it was trained on, in words")
+    record.add_argument(
+        "--evaluation",
+        type=Path,
+        metavar="JSON",
+        help="evaluation.json of this network, to save scoring it again",
+    )
+    record.add_argument("--seed", type=int, help="default: the row's first seed")
+    record.add_argument(
+        "--limit", type=int, default=0, help="score only so many test frames; the record says so"
+    )
+
+    table = actions.add_parser("table", help="make docs/results.md and its pictures from the records")
+    table.add_argument("-o", "--out", type=Path, default=Path("docs"), metavar="DIR", help="default: docs")
+
+    for action in (rows, run, record, table):
+        action.add_argument("--plan", type=Path, default=Path("configs/experiments.toml"), metavar="TOML",
+                            help="default: configs/experiments.toml")  # fmt: skip
+        action.add_argument(
+            "--results", type=Path, default=Path("results"), metavar="DIR", help="default: results"
+        )
+    for action in (rows, run):
+        action.add_argument("--runs", type=Path, default=Path("build/experiments"), metavar="DIR",
+                            help="checkpoints; default: build/experiments")  # fmt: skip
+
+
+def experiments(arguments: argparse.Namespace) -> int:
+    """Run one action."""
+    action: Callable[[argparse.Namespace], int] = ACTIONS[arguments.action]
+    return action(arguments)
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    from rich.table import Table  # noqa: PLC0415
+
+    from macram.cli.console import open_console  # noqa: PLC0415
+    from macram.experiments.plan import read_plan, read_result  # noqa: PLC0415
+
+    jobs = list(read_plan(arguments.plan).jobs())
+    states = [job.state(arguments.runs, arguments.results) for job in jobs]
+    rows: list[dict[str, Any]] = []
+    for job, state in zip(jobs, states, strict=True):
+        row: dict[str, Any] = {
+            "row": job.row.name,
+            "seed": job.seed,
+            "title": job.row.title,
+            "after": job.row.after,
+            "state": state,
+        }
+        if state == "finished":
+            row["add_0.1"] = read_result(arguments.results / job.key)["ranges"]["all"]["add"]["0.1"]
+        rows.append(row)
+    if arguments.json:
+        print(json.dumps(rows, indent=2))
+        return OK
+    table = Table(title=f"{states.count('finished')} of {len(jobs)} finished", title_justify="left")
+    for column in ("row", "seed", "what", "continues", "state", "ADD-0.1d"):
+        table.add_column(column)
+    for row in rows:
+        score = f"{row['add_0.1']:.2f} %" if "add_0.1" in row else ""
+        table.add_row(row["row"], str(row["seed"]), row["title"], row["after"], row["state"], score)
+    open_console().print(table)
+    return OK
+
+
+def _run(arguments: argparse.Namespace) -> int:
+    from macram.cli.console import open_console  # noqa: PLC0415
+    from macram.cli.evaluate_verb import frames_progress  # noqa: PLC0415
+    from macram.experiments.plan import Job, read_plan  # noqa: PLC0415
+    from macram.experiments.run import run_job  # noqa: PLC0415
+
+    plan, console = read_plan(arguments.plan), open_console()
+    rows = plan.rows if arguments.row == "all" else (plan.row(arguments.row),)
+    jobs = [Job(plan, row, seed) for row in rows for seed in row.seeds if arguments.seed in (None, seed)]
+    if not jobs:
+        raise ValueError(f"row {arguments.row} has no seed {arguments.seed}; see macram experiments list")
+    for job in jobs:
+        with frames_progress(console) as told:
+            folder = run_job(
+                job,
+                arguments.runs,
+                arguments.results,
+                console,
+                limit=arguments.limit,
+                told=told,
+            )
+        console.print(f"{job.key}: finished, {folder}", highlight=False, markup=False, soft_wrap=True)
+    return OK
+
+
+def _record(arguments: argparse.Namespace) -> int:
+    from macram.cli.console import open_console  # noqa: PLC0415
+    from macram.cli.evaluate_verb import frames_progress  # noqa: PLC0415
+    from macram.experiments.plan import Job, read_plan  # noqa: PLC0415
+    from macram.experiments.run import record_job  # noqa: PLC0415
+
+    plan, console = read_plan(arguments.plan), open_console()
+    row = plan.row(arguments.row)
+    job = Job(plan, row, row.seeds[0] if arguments.seed is None else arguments.seed)
+    with frames_progress(console) as told:
+        folder = record_job(
+            job,
+            arguments.folder,
+            arguments.results,
+            device=arguments.device,
+            limit=arguments.limit,
+            scored=arguments.evaluation,
+            told=told,
+        )
+    console.print(f"{job.key}: finished, {folder}", highlight=False, markup=False, soft_wrap=True)
+    return OK
+
+
+def _table(arguments: argparse.Namespace) -> int:
+    from macram.experiments.page import write_page  # noqa: PLC0415
+    from macram.experiments.plan import read_plan  # noqa: PLC0415
+
+    print(write_page(read_plan(arguments.plan), arguments.results, arguments.out))
+    return OK
+
+
+ACTIONS = {"list": _list, "run": _run, "record": _record, "table": _table}

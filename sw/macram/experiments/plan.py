@@ -1,0 +1,189 @@
+"""The plan: rows with their configurations, one job per row and seed, and how far each job is."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+from macram.data.files import read_json
+from macram.train.checkpoint import read_tensors
+from macram.train.config import TrainConfig, load_config
+
+PLAN = Path("configs/experiments.toml")
+RESULTS = Path("results")
+RUNS = Path("build/experiments")
+GROUPS = ("questions", "seeds", "quantised")
+DEFAULT_SEED = 2022
+MODEL, LAST, RESULT = "model.safetensors", "last.safetensors", "result.json"
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A line of a table.
+
+    Attributes:
+        name: to run it by.
+        title: as the table calls it.
+        group: one of `GROUPS`, the table it belongs to.
+        config: training configuration.
+        set: dotted keys and values over the configuration's.
+        after: row whose network it continues; empty for none.
+        seeds: one job each.
+    """
+
+    name: str
+    title: str
+    group: str
+    config: Path
+    set: dict[str, Any] = field(default_factory=dict)
+    after: str = ""
+    seeds: tuple[int, ...] = (DEFAULT_SEED,)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """All rows of one file.
+
+    Attributes:
+        data: folder of the data set.
+        recipe: of the data set.
+        rows: in the order of the file, so that none comes before the row it continues.
+    """
+
+    data: Path
+    recipe: Path
+    rows: tuple[Row, ...]
+
+    def row(self, name: str) -> Row:
+        """The row called ``name``.
+
+        Raises:
+            ValueError: there is none.
+        """
+        for row in self.rows:
+            if row.name == name:
+                return row
+        raise ValueError(f"no row {name!r}; rows: {', '.join(row.name for row in self.rows)}")
+
+    def jobs(self) -> Iterator[Job]:
+        """Every row with every seed."""
+        return (Job(self, row, seed) for row in self.rows for seed in row.seeds)
+
+
+@dataclass(frozen=True, slots=True)
+class Job:
+    """One row with one seed."""
+
+    plan: Plan
+    row: Row
+    seed: int
+
+    @property
+    def key(self) -> str:
+        """Name of its folders of run and result."""
+        return f"{self.row.name}.s{self.seed}"
+
+    def before(self) -> Job | None:
+        """The job whose network this one continues, of the same seed."""
+        return Job(self.plan, self.plan.row(self.row.after), self.seed) if self.row.after else None
+
+    def folder(self, runs: Path) -> Path:
+        """Of checkpoints and logs."""
+        return runs / self.key
+
+    def config(self, runs: Path) -> TrainConfig:
+        """The training run.
+
+        Raises:
+            ValueError: the configuration or a change to it is wrong.
+        """
+        before = self.before()
+        changes = {
+            **self.row.set,
+            "run.seed": self.seed,
+            "run.out": str(self.folder(runs)),
+            "data.root": str(self.plan.data),
+        }
+        if before is not None:
+            changes["run.init"] = str(before.folder(runs) / MODEL)
+        return load_config(self.row.config, changes)
+
+    def state(self, runs: Path, results: Path) -> str:
+        """``finished``, ``trained``, ``interrupted`` or ``waiting``, from the files that are there."""
+        if (results / self.key / RESULT).is_file():
+            return "finished"
+        return (
+            "trained"
+            if self.trained(runs)
+            else "interrupted"
+            if (self.folder(runs) / LAST).is_file()
+            else "waiting"
+        )
+
+    def trained(self, runs: Path) -> bool:
+        """Whether its training came to its end; a network without a checkpoint was trained elsewhere."""
+        last = self.folder(runs) / LAST
+        if not last.is_file():
+            return (self.folder(runs) / MODEL).is_file()
+        about, schedule = read_tensors(last)[1]["state"], self.config(runs).schedule
+        timed = bool(schedule.max_minutes) and about["minutes"] >= schedule.max_minutes
+        return bool(about["step"] >= schedule.steps or timed)
+
+
+def read_plan(path: Path = PLAN) -> Plan:
+    """The rows of a file.
+
+    Raises:
+        ValueError: no such file, not TOML, a field that is unknown or missing, a name that is there twice, or a
+            row that continues one that does not stand before it or lacks one of its seeds.
+    """
+    try:
+        table = tomllib.loads(path.read_text())
+        entries, data, recipe = table["row"], Path(table["data"]), Path(table["recipe"])
+    except FileNotFoundError:
+        raise ValueError(
+            f"{path}: no such plan; run this in the repository or name one with --plan"
+        ) from None
+    except (tomllib.TOMLDecodeError, KeyError) as error:
+        raise ValueError(f"{path}: not a plan ({error})") from None
+    rows: dict[str, Row] = {}
+    for entry in entries:
+        row = _row(path, entry)
+        if row.name in rows:
+            raise ValueError(f"{path}: row {row.name!r} is there twice")
+        if row.after and (row.after not in rows or not set(row.seeds) <= set(rows[row.after].seeds)):
+            raise ValueError(
+                f"{path}: row {row.name!r} continues {row.after!r}, which must stand before it, with its seeds"
+            )
+        rows[row.name] = row
+    return Plan(data, recipe, tuple(rows.values()))
+
+
+def _row(path: Path, entry: dict[str, Any]) -> Row:
+    known = {f.name for f in fields(Row)}
+    if unknown := sorted(set(entry) - known):
+        raise ValueError(
+            f"{path}: a row has the unknown field {unknown[0]!r}; known are {', '.join(sorted(known))}"
+        )
+    if missing := sorted({"name", "title", "group", "config"} - set(entry)):
+        raise ValueError(f"{path}: a row has no {missing[0]}")
+    if entry["group"] not in GROUPS:
+        raise ValueError(f"{path}: group must be one of {', '.join(GROUPS)}, not {entry['group']!r}")
+    return Row(
+        **{**entry, "config": Path(entry["config"]), "seeds": tuple(entry.get("seeds", (DEFAULT_SEED,)))}
+    )
+
+
+def read_result(folder: Path) -> dict[str, Any]:
+    """``result.json`` of a finished job.
+
+    Raises:
+        ValueError: missing or not JSON.
+    """
+    table = read_json(folder / RESULT)
+    if not isinstance(table, dict):
+        raise ValueError(f"{folder / RESULT}: not a result; remove the folder and run the row again")
+    return table

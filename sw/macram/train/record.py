@@ -1,0 +1,86 @@
+"""What a trained network remembers of its stages, as commands that can be typed."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from macram.train.checkpoint import Card
+from macram.train.config import load_config
+
+WHEREABOUTS = ("log", "run.out", "run.init", "data.root", "data.cache")
+"""Settings that say where and how often, not what."""
+
+
+def stage_records(card: Card, configs: Sequence[Path]) -> list[dict[str, Any]]:
+    """One record per stage: command, seed, steps, images seen, minutes.
+
+    Args:
+        card: of the network.
+        configs: the configuration files of its stages, in order; what a stage had otherwise becomes ``--set``.
+
+    Raises:
+        ValueError: not one file per stage, or a file of another stage.
+    """
+    if len(configs) != len(card.history):
+        raise ValueError(
+            f"the network had {len(card.history)} stages; give as many configurations, not {len(configs)}"
+        )
+    records = []
+    for path, record in zip(configs, card.history, strict=True):
+        config = record["config"]
+        if (stage := load_config(path).run.stage) != config["run"]["stage"]:
+            raise ValueError(f"{path}: is of stage {stage}, the network's was {config['run']['stage']}")
+        records.append(
+            {
+                "stage": config["run"]["stage"],
+                "command": train_command(path, config),
+                "seed": config["run"]["seed"],
+                "steps": record["step"],
+                "images": record["visits"],
+                "minutes": round(record["minutes"], 2),
+            }
+        )
+    return records
+
+
+def train_command(path: Path, config: Mapping[str, Any]) -> str:
+    """``macram train PATH --set ...`` that gives ``config``, folders apart."""
+    words = ["macram", "train", path.as_posix()]
+    for key, value in sorted(differences(load_config(path).to_dict(), config).items()):
+        words += ["--set", f"{key}={value if isinstance(value, str) else _toml(value)}"]
+    return shlex.join(words)
+
+
+def differences(base: Mapping[str, Any], other: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Dotted keys of ``other`` whose values differ from those of ``base``, but for `WHEREABOUTS`.
+
+    Lists differ as a whole: that is how ``--set`` takes them.
+    """
+    found: dict[str, Any] = {}
+    for key in sorted(base.keys() | other.keys()):
+        name, mine, theirs = f"{prefix}{key}", base.get(key), other.get(key)
+        if name in WHEREABOUTS:
+            continue
+        if isinstance(mine, Mapping) and isinstance(theirs, Mapping):
+            found |= differences(mine, theirs, f"{name}.")
+        elif _plain(mine) != _plain(theirs):
+            found[name] = _plain(theirs)
+    return found
+
+
+def _plain(value: Any) -> Any:
+    """As JSON has it: tuples are lists."""
+    return json.loads(json.dumps(value))
+
+
+def _toml(value: Any) -> str:
+    """A JSON value as TOML's inline syntax."""
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{key} = {_toml(part)}" for key, part in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    return json.dumps(value)

@@ -1,0 +1,225 @@
+"""Experiments: the plan, a row from nothing to its record, and the page made of the records."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rich.console import Console
+from train_scene import write_scene
+
+from macram.cli import main
+from macram.data.recipe import read_recipe
+from macram.experiments import run as run_module
+from macram.experiments.page import page
+from macram.experiments.plan import read_plan, read_result
+from macram.experiments.run import run_job
+from macram.experiments.statistics import Frames, difference, limits, read_frames, share, share_interval
+from macram.train.config import load_config
+
+ROOT = Path(__file__).resolve().parents[2]
+TINY = """
+surface_until = 0.5
+[run]
+stage = "{stage}"
+out = "unused"
+precision = "fp32"
+{init}
+[data]
+root = "unused"
+[network]
+size = "tiny"
+image_size = 64
+[schedule]
+steps = 2
+batch = 2
+warmup = 0
+[log]
+every = 1
+evaluate_frames = 2
+"""
+PLAN = """
+data = "{data}"
+recipe = "unused"
+[[row]]
+name = "first"
+title = "First"
+group = "seeds"
+config = "{folder}/wdr.toml"
+seeds = [1, 2]
+[[row]]
+name = "second"
+title = "Second"
+group = "questions"
+config = "{folder}/control.toml"
+after = "first"
+seeds = [1]
+set = {{ "schedule.steps" = 3 }}
+"""
+
+
+@pytest.fixture
+def plan(tmp_path, monkeypatch):
+    scene = write_scene(tmp_path / "scene")
+    (tmp_path / "wdr.toml").write_text(TINY.format(stage="wdr", init=""))
+    (tmp_path / "control.toml").write_text(TINY.format(stage="control", init='init = "unused"'))
+    (tmp_path / "plan.toml").write_text(PLAN.format(data=scene, folder=tmp_path))
+    monkeypatch.setattr(run_module, "SPLIT", "validation")
+    monkeypatch.setattr(
+        run_module, "read_recipe", lambda path: type("R", (), {"check": lambda self, root: None})()
+    )
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    return read_plan(tmp_path / "plan.toml")
+
+
+def test_a_row_trains_what_it_continues_and_is_done_once(plan, tmp_path, monkeypatch):
+    runs, results = tmp_path / "runs", tmp_path / "results"
+    first, _, second = plan.jobs()
+    assert second.state(runs, results) == "waiting"
+    folder = run_job(second, runs, results, Console(quiet=True))
+    assert first.state(runs, results) == "trained"
+    assert second.state(runs, results) == "finished"
+    record = read_result(folder)
+    assert (record["steps"], record["images"], record["images_with_earlier_stages"]) == (3, 6, 10)
+    assert record["frames"] == 4
+    assert "--set schedule.steps=3" in record["train_command"]
+    assert "run.seed=1" in record["train_command"]
+    assert {path.name for path in folder.iterdir()} == {
+        "result.json",
+        "frames.csv",
+        "frames.jpg",
+        "curve.csv",
+    }
+    frames = read_frames(folder / "frames.csv")
+    assert share(frames) == pytest.approx(record["ranges"]["all"]["add"]["0.1"])
+    monkeypatch.setattr(run_module, "Run", None)  # training again would fail
+    before = (folder / "result.json").stat().st_mtime_ns
+    assert run_job(second, runs, results, Console(quiet=True)) == folder
+    assert (folder / "result.json").stat().st_mtime_ns == before
+    (folder / "result.json").unlink()  # trained, not recorded: scored again, not trained
+    run_job(second, runs, results, Console(quiet=True))
+
+
+def test_a_network_of_another_configuration_is_no_record_of_a_row(plan, tmp_path):
+    runs, results = tmp_path / "runs", tmp_path / "results"
+    first, other, _ = plan.jobs()
+    run_module.train_job(first, runs, Console(quiet=True))
+    with pytest.raises(ValueError, match=r"first\.s2: .*run\.seed = 1"):
+        run_module.record_job(other, first.folder(runs), results, device="CPU")
+    assert not results.exists()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('name = "second"', 'name = "first"', "is there twice"),
+        ('after = "first"', 'after = "third"', "must stand before it"),
+        ("seeds = [1]\n", "seeds = [3]\n", "with its seeds"),
+        ('title = "First"', 'colour = "red"', "unknown field 'colour'"),
+        ('group = "seeds"', 'group = "others"', "group must be one of"),
+    ],
+)
+def test_a_broken_plan_is_one_line(plan, old, new, message, tmp_path):
+    path = tmp_path / "plan.toml"
+    path.write_text(path.read_text().replace(old, new, 1))
+    with pytest.raises(ValueError, match=message) as error:
+        read_plan(path)
+    assert "\n" not in str(error.value)
+
+
+# ---- the repository's own plan and page ----------------------------------------------------------------
+
+
+def test_every_row_is_a_configuration_that_loads(monkeypatch):
+    monkeypatch.chdir(ROOT)
+    for job in read_plan().jobs():
+        config = job.config(Path("build/experiments"))
+        assert config.run.seed == job.seed
+        before = job.before()
+        assert bool(config.run.init) == (before is not None)
+
+
+def test_the_page_is_what_its_records_give(monkeypatch):
+    monkeypatch.chdir(ROOT)
+    assert (ROOT / "docs/results.md").read_text() == page(read_plan(), Path("results"))
+
+
+def test_every_picture_of_the_page_is_there():
+    text = (ROOT / "docs/results.md").read_text()
+    for name in {part.split(")")[0] for part in text.split("](images/")[1:]}:
+        assert (ROOT / "docs/images" / name).is_file()
+
+
+def test_records_agree_with_their_frames(monkeypatch):
+    monkeypatch.chdir(ROOT)
+    for path in Path("results").glob("*/result.json"):
+        record, frames = read_result(path.parent), read_frames(path.parent / "frames.csv")
+        for name, table in record["ranges"].items():
+            assert share(frames, name) == pytest.approx(table["add"]["0.1"], abs=0.11), path
+
+
+def test_the_recipe_is_the_mini_tier_with_backgrounds():
+    from dataclasses import replace  # noqa: PLC0415
+
+    from macram.data.spec import TIERS  # noqa: PLC0415
+
+    assert read_recipe(ROOT / "configs/cubesat1u-v1.toml").spec == replace(TIERS["mini"], background=True)
+
+
+def test_paper_front_configurations_load():
+    for name in ("wdr", "w3a3"):
+        load_config(ROOT / f"configs/train-paper-front-{name}.toml")
+
+
+def test_list_tells_states(plan, tmp_path, capsys):
+    arguments = [
+        "--plan",
+        str(tmp_path / "plan.toml"),
+        "--results",
+        str(tmp_path),
+        "--runs",
+        str(tmp_path / "r"),
+    ]
+    assert main(["experiments", "list", "--json", *arguments]) == 0
+    rows = json.loads(capsys.readouterr().out)
+    assert [(row["row"], row["seed"], row["state"]) for row in rows] == [
+        ("first", 1, "waiting"), ("first", 2, "waiting"), ("second", 1, "waiting"),
+    ]  # fmt: skip
+    assert main(["experiments", "run", "third", *arguments]) == 2
+    assert "no row 'third'; rows: first, second" in capsys.readouterr().err
+
+
+# ---- statistics ----------------------------------------------------------------------------------------
+
+
+def frames_of(add, sequences=10):
+    names = tuple(f"testing/seq_{i % sequences:06d}/000000/{i:06d}" for i in range(len(add)))
+    add = np.asarray(add, float)
+    return Frames(names, np.full(len(add), "near"), add, add, 10 * add, add)
+
+
+def test_a_constant_difference_has_no_spread():
+    one, other = frames_of(np.full(100, 0.05)), frames_of(np.full(100, 0.2))
+    assert difference(one, other) == (100.0, 100.0, 100.0)
+    assert difference(one, one) == (0.0, 0.0, 0.0)
+    with pytest.raises(ValueError, match="different frames"):
+        difference(one, frames_of(np.full(50, 0.05)))
+
+
+def test_like_frames_of_a_sequence_widen_the_interval():
+    rng = np.random.default_rng(0)
+    scene = rng.random(50) < 0.3
+    add = np.where(scene[np.arange(1000) % 50], 0.05, 0.5)
+    low, high = share_interval(frames_of(add, 50))
+    alone = share_interval(frames_of(add, 1000))
+    assert low < share(frames_of(add)) < high
+    assert high - low > 3 * (alone[1] - alone[0])
+
+
+def test_limits_count_what_is_not_found_as_not_placed():
+    frames = frames_of([0.05, 0.05, 1.0, 0.3])
+    frames.te_d[2] = frames.re_deg[2] = np.nan
+    every = limits(frames)[-1]
+    assert (every["add"], every["placed"], every["flipped"]) == (50.0, 50.0, 0.0)
