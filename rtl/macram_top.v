@@ -94,6 +94,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   wire params__valid;
   wire [31:0] requant_base;
   wire [31:0] \requant_base$74 ;
+  wire [31:0] residual;
   wire [31:0] row_words;
   wire rst;
   input [6:0] s_axi_araddr;
@@ -169,23 +170,23 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .cycles(cycles),
     .done(done),
     .drain_cycles(drain_cycles),
-    .\error$633 (error),
+    .\error$638 (error),
     .fill_cycles(fill_cycles),
     .height(height),
-    .i__payload(i__payload),
-    .\i__payload$71 (params__payload),
-    .i__ready(s_axis_tready),
-    .i__valid(s_axis_tvalid),
-    .\i__valid$75 (s_axis_param_tvalid),
+    .\i__payload$53 (i__payload),
+    .\i__payload$74 (params__payload),
+    .\i__ready$55 (s_axis_tready),
+    .\i__valid$57 (s_axis_tvalid),
+    .\i__valid$78 (s_axis_param_tvalid),
     .input_stalls(input_stalls),
     .loading(s_axis_param_tready),
     .mac_cycles(mac_cycles),
     .mode(mode),
-    .\o__payload$65 (o__payload),
-    .\o__ready$67 (m_axis_tready),
-    .\o__valid$69 (m_axis_tvalid),
+    .\o__payload$9 (o__payload),
+    .\o__ready$8 (m_axis_tready),
+    .\o__valid$7 (m_axis_tvalid),
     .output_stalls(output_stalls),
-    .\port$1170$0 (command),
+    .\port$1176$0 (command),
     .requant_base(requant_base),
     .rst(rst),
     .weight_base(weight_base),
@@ -226,8 +227,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .output_stalls(output_stalls),
     .param_base(param_base),
     .param_words(words),
-    .\port$1214$0 (done),
-    .\port$1220$0 (error),
+    .\port$1222$0 (done),
+    .\port$1228$0 (error),
     .\port$2$0 (\$1 ),
     .requant_base(requant_base),
     .rst(rst),
@@ -281,6 +282,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign weight_depth = 32'd1024;
   assign row_words = 32'd512;
   assign max_channels = 32'd67109888;
+  assign residual = 32'd0;
   assign i__valid = s_axis_tvalid;
   assign i__ready = s_axis_tready;
   assign params__valid = s_axis_param_tvalid;
@@ -301,34 +303,34 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__ready, \o__valid$69 , i__payload, \i__payload$71 , \port$1170$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$633 
-, cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$65 , loading, clk);
+module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy, \i__ready$55 , \o__valid$7 , \i__payload$53 , \i__payload$74 , \port$1176$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$638 
+, cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$9 , loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
-  wire [3:0] \$10 ;
+  wire \$10 ;
   wire \$11 ;
   wire \$12 ;
-  wire \$13 ;
-  wire \$14 ;
+  wire [3:0] \$13 ;
+  wire [3:0] \$14 ;
   wire \$15 ;
   wire \$16 ;
   wire \$17 ;
   wire \$18 ;
   wire \$19 ;
-  wire [10:0] \$2 ;
+  wire \$2 ;
   wire \$20 ;
   wire \$21 ;
   wire \$22 ;
   wire \$23 ;
-  wire [3:0] \$24 ;
-  wire [3:0] \$25 ;
+  wire \$24 ;
+  wire \$25 ;
   wire \$26 ;
-  wire \$27 ;
-  wire [2:0] \$28 ;
+  wire [3:0] \$27 ;
+  wire [3:0] \$28 ;
   wire \$29 ;
-  wire [10:0] \$3 ;
+  wire \$3 ;
   wire \$30 ;
-  wire \$31 ;
+  wire [2:0] \$31 ;
   wire \$32 ;
   wire \$33 ;
   wire \$34 ;
@@ -336,45 +338,47 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire \$36 ;
   wire \$37 ;
   wire \$38 ;
-  wire [32:0] \$39 ;
+  wire \$39 ;
   wire \$4 ;
-  wire \$40 ;
+  wire [32:0] \$40 ;
   wire \$41 ;
   wire \$42 ;
-  wire [32:0] \$43 ;
+  wire \$43 ;
   wire [32:0] \$44 ;
   wire [32:0] \$45 ;
   wire [32:0] \$46 ;
   wire [32:0] \$47 ;
-  reg [1:0] \$48 ;
+  wire [32:0] \$48 ;
   reg \$49 ;
-  wire [31:0] \$5 ;
-  reg \$50 ;
+  wire \$5 ;
+  reg [1:0] \$50 ;
   reg \$51 ;
-  reg [2:0] \$52 ;
-  reg [7:0] \$53 ;
-  reg [7:0] \$54 ;
+  reg \$52 ;
+  reg \$53 ;
+  reg [2:0] \$54 ;
   reg [7:0] \$55 ;
   reg [7:0] \$56 ;
-  reg \$57 ;
-  reg \$58 ;
+  reg [7:0] \$57 ;
+  reg [7:0] \$58 ;
   reg \$59 ;
-  wire \$6 ;
-  reg [31:0] \$60 ;
-  reg [31:0] \$61 ;
+  wire [10:0] \$6 ;
+  reg \$60 ;
+  reg \$61 ;
   reg [31:0] \$62 ;
   reg [31:0] \$63 ;
   reg [31:0] \$64 ;
   reg [31:0] \$65 ;
-  wire [9:0] \$66 ;
-  wire [7:0] \$67 ;
-  wire [671:0] \$68 ;
-  wire \$7 ;
+  reg [31:0] \$66 ;
+  reg [31:0] \$67 ;
+  wire [9:0] \$68 ;
+  wire [7:0] \$69 ;
+  wire [10:0] \$7 ;
+  wire [671:0] \$70 ;
   wire \$8 ;
-  wire [3:0] \$9 ;
+  wire [31:0] \$9 ;
   wire \$signal ;
-  wire \$signal$29 ;
-  wire \$signal$33 ;
+  wire \$signal$39 ;
+  wire \$signal$43 ;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -383,769 +387,769 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
   (* enum_value_110 = "BAD_RANGE" *)
-  reg [2:0] \$signal$35 ;
-  wire \$signal$623 ;
-  wire \$signal$625 ;
-  reg \$signal$626  = 1'h0;
-  reg \$signal$645  = 1'h0;
+  reg [2:0] \$signal$45 ;
+  wire \$signal$630 ;
+  reg \$signal$631  = 1'h0;
+  reg \$signal$649  = 1'h0;
   wire [95:0] activations;
-  wire [95:0] \activations$127 ;
-  wire [95:0] \activations$136 ;
-  wire [95:0] \activations$145 ;
-  wire [95:0] \activations$154 ;
-  wire [95:0] \activations$162 ;
-  wire [95:0] \activations$170 ;
-  wire [95:0] \activations$178 ;
-  wire [95:0] \activations$186 ;
-  wire [95:0] \activations$194 ;
-  wire [95:0] \activations$202 ;
-  wire [95:0] \activations$210 ;
-  wire [95:0] \activations$218 ;
-  wire [95:0] \activations$226 ;
-  wire [95:0] \activations$234 ;
-  wire [95:0] \activations$242 ;
-  wire [95:0] \activations$250 ;
-  wire [95:0] \activations$258 ;
-  wire [95:0] \activations$266 ;
-  wire [95:0] \activations$274 ;
-  wire [95:0] \activations$282 ;
-  wire [95:0] \activations$290 ;
-  wire [95:0] \activations$298 ;
-  wire [95:0] \activations$306 ;
-  wire [95:0] \activations$314 ;
-  wire [95:0] \activations$322 ;
-  wire [95:0] \activations$330 ;
-  wire [95:0] \activations$338 ;
-  wire [95:0] \activations$346 ;
-  wire [95:0] \activations$354 ;
-  wire [95:0] \activations$362 ;
-  wire [95:0] \activations$370 ;
-  wire [95:0] \activations$378 ;
-  wire [95:0] \activations$386 ;
-  wire [95:0] \activations$394 ;
-  wire [95:0] \activations$402 ;
-  wire [95:0] \activations$410 ;
-  wire [95:0] \activations$418 ;
-  wire [95:0] \activations$426 ;
-  wire [95:0] \activations$434 ;
-  wire [95:0] \activations$442 ;
-  wire [95:0] \activations$450 ;
-  wire [95:0] \activations$458 ;
-  wire [95:0] \activations$466 ;
-  wire [95:0] \activations$474 ;
-  wire [95:0] \activations$482 ;
-  wire [95:0] \activations$490 ;
-  wire [95:0] \activations$498 ;
-  wire [95:0] \activations$506 ;
-  wire [95:0] \activations$514 ;
-  wire [95:0] \activations$522 ;
-  wire [95:0] \activations$530 ;
-  wire [95:0] \activations$538 ;
-  wire [95:0] \activations$546 ;
-  wire [95:0] \activations$554 ;
-  wire [95:0] \activations$562 ;
-  wire [95:0] \activations$570 ;
-  wire [95:0] \activations$578 ;
-  wire [95:0] \activations$586 ;
-  wire [95:0] \activations$594 ;
-  wire [95:0] \activations$602 ;
+  wire [95:0] \activations$133 ;
+  wire [95:0] \activations$142 ;
+  wire [95:0] \activations$151 ;
+  wire [95:0] \activations$160 ;
+  wire [95:0] \activations$168 ;
+  wire [95:0] \activations$176 ;
+  wire [95:0] \activations$184 ;
+  wire [95:0] \activations$192 ;
+  wire [95:0] \activations$200 ;
+  wire [95:0] \activations$208 ;
+  wire [95:0] \activations$216 ;
+  wire [95:0] \activations$224 ;
+  wire [95:0] \activations$232 ;
+  wire [95:0] \activations$240 ;
+  wire [95:0] \activations$248 ;
+  wire [95:0] \activations$256 ;
+  wire [95:0] \activations$264 ;
+  wire [95:0] \activations$272 ;
+  wire [95:0] \activations$280 ;
+  wire [95:0] \activations$288 ;
+  wire [95:0] \activations$296 ;
+  wire [95:0] \activations$304 ;
+  wire [95:0] \activations$312 ;
+  wire [95:0] \activations$320 ;
+  wire [95:0] \activations$328 ;
+  wire [95:0] \activations$336 ;
+  wire [95:0] \activations$344 ;
+  wire [95:0] \activations$352 ;
+  wire [95:0] \activations$360 ;
+  wire [95:0] \activations$368 ;
+  wire [95:0] \activations$376 ;
+  wire [95:0] \activations$384 ;
+  wire [95:0] \activations$392 ;
+  wire [95:0] \activations$400 ;
+  wire [95:0] \activations$408 ;
+  wire [95:0] \activations$416 ;
+  wire [95:0] \activations$424 ;
+  wire [95:0] \activations$432 ;
+  wire [95:0] \activations$440 ;
+  wire [95:0] \activations$448 ;
+  wire [95:0] \activations$456 ;
+  wire [95:0] \activations$464 ;
+  wire [95:0] \activations$472 ;
+  wire [95:0] \activations$480 ;
+  wire [95:0] \activations$488 ;
+  wire [95:0] \activations$496 ;
+  wire [95:0] \activations$504 ;
+  wire [95:0] \activations$512 ;
+  wire [95:0] \activations$520 ;
+  wire [95:0] \activations$528 ;
+  wire [95:0] \activations$536 ;
+  wire [95:0] \activations$544 ;
+  wire [95:0] \activations$552 ;
+  wire [95:0] \activations$560 ;
+  wire [95:0] \activations$568 ;
+  wire [95:0] \activations$576 ;
+  wire [95:0] \activations$584 ;
+  wire [95:0] \activations$592 ;
+  wire [95:0] \activations$600 ;
   wire [95:0] \activations$608 ;
   wire [95:0] \activations$614 ;
   wire [95:0] \activations$620 ;
+  wire [95:0] \activations$626 ;
   wire [9:0] address;
-  wire [9:0] \address$124 ;
-  wire [9:0] \address$133 ;
-  wire [9:0] \address$142 ;
-  wire [9:0] \address$151 ;
-  wire [9:0] \address$159 ;
-  wire [9:0] \address$167 ;
-  wire [9:0] \address$175 ;
-  wire [9:0] \address$183 ;
-  wire [9:0] \address$191 ;
-  wire [9:0] \address$199 ;
-  wire [9:0] \address$207 ;
-  wire [9:0] \address$215 ;
-  wire [9:0] \address$223 ;
-  wire [9:0] \address$231 ;
-  wire [9:0] \address$239 ;
-  wire [9:0] \address$247 ;
-  wire [9:0] \address$255 ;
-  wire [9:0] \address$263 ;
-  wire [9:0] \address$271 ;
-  wire [9:0] \address$279 ;
-  wire [9:0] \address$287 ;
-  wire [9:0] \address$295 ;
-  wire [9:0] \address$303 ;
-  wire [9:0] \address$311 ;
-  wire [9:0] \address$319 ;
-  wire [9:0] \address$327 ;
-  wire [9:0] \address$335 ;
-  wire [9:0] \address$343 ;
-  wire [9:0] \address$351 ;
-  wire [9:0] \address$359 ;
-  wire [9:0] \address$367 ;
-  wire [9:0] \address$375 ;
-  wire [9:0] \address$383 ;
-  wire [9:0] \address$391 ;
-  wire [9:0] \address$399 ;
-  wire [9:0] \address$407 ;
-  wire [9:0] \address$415 ;
-  wire [9:0] \address$423 ;
-  wire [9:0] \address$431 ;
-  wire [9:0] \address$439 ;
-  wire [9:0] \address$447 ;
-  wire [9:0] \address$455 ;
-  wire [9:0] \address$463 ;
-  wire [9:0] \address$471 ;
-  wire [9:0] \address$479 ;
-  wire [9:0] \address$487 ;
-  wire [9:0] \address$495 ;
-  wire [9:0] \address$503 ;
-  wire [9:0] \address$511 ;
-  wire [9:0] \address$519 ;
-  wire [9:0] \address$527 ;
-  wire [9:0] \address$535 ;
-  wire [9:0] \address$543 ;
-  wire [9:0] \address$551 ;
-  wire [9:0] \address$559 ;
-  wire [9:0] \address$567 ;
-  wire [9:0] \address$575 ;
-  wire [9:0] \address$583 ;
-  wire [9:0] \address$591 ;
-  wire [9:0] \address$599 ;
+  wire [9:0] \address$130 ;
+  wire [9:0] \address$139 ;
+  wire [9:0] \address$148 ;
+  wire [9:0] \address$157 ;
+  wire [9:0] \address$165 ;
+  wire [9:0] \address$173 ;
+  wire [9:0] \address$181 ;
+  wire [9:0] \address$189 ;
+  wire [9:0] \address$197 ;
+  wire [9:0] \address$205 ;
+  wire [9:0] \address$213 ;
+  wire [9:0] \address$221 ;
+  wire [9:0] \address$229 ;
+  wire [9:0] \address$237 ;
+  wire [9:0] \address$245 ;
+  wire [9:0] \address$253 ;
+  wire [9:0] \address$261 ;
+  wire [9:0] \address$269 ;
+  wire [9:0] \address$277 ;
+  wire [9:0] \address$285 ;
+  wire [9:0] \address$293 ;
+  wire [9:0] \address$301 ;
+  wire [9:0] \address$309 ;
+  wire [9:0] \address$317 ;
+  wire [9:0] \address$325 ;
+  wire [9:0] \address$333 ;
+  wire [9:0] \address$341 ;
+  wire [9:0] \address$349 ;
+  wire [9:0] \address$357 ;
+  wire [9:0] \address$365 ;
+  wire [9:0] \address$373 ;
+  wire [9:0] \address$381 ;
+  wire [9:0] \address$389 ;
+  wire [9:0] \address$397 ;
+  wire [9:0] \address$405 ;
+  wire [9:0] \address$413 ;
+  wire [9:0] \address$421 ;
+  wire [9:0] \address$429 ;
+  wire [9:0] \address$437 ;
+  wire [9:0] \address$445 ;
+  wire [9:0] \address$453 ;
+  wire [9:0] \address$461 ;
+  wire [9:0] \address$469 ;
+  wire [9:0] \address$477 ;
+  wire [9:0] \address$485 ;
+  wire [9:0] \address$493 ;
+  wire [9:0] \address$501 ;
+  wire [9:0] \address$509 ;
+  wire [9:0] \address$517 ;
+  wire [9:0] \address$525 ;
+  wire [9:0] \address$533 ;
+  wire [9:0] \address$541 ;
+  wire [9:0] \address$549 ;
+  wire [9:0] \address$557 ;
+  wire [9:0] \address$565 ;
+  wire [9:0] \address$573 ;
+  wire [9:0] \address$581 ;
+  wire [9:0] \address$589 ;
+  wire [9:0] \address$597 ;
   wire [9:0] \address$605 ;
   wire [9:0] \address$611 ;
   wire [9:0] \address$617 ;
+  wire [9:0] \address$623 ;
   input [31:0] base;
   wire [31:0] base;
+  wire [15:0] beats;
   wire [15:0] beats_per_pixel;
-  wire [15:0] \beats_per_pixel$87 ;
+  wire [15:0] \beats_per_pixel$92 ;
   wire blocked;
   output busy;
   wire busy;
-  wire \busy$24 ;
+  wire \busy$34 ;
   input [31:0] c_in;
   wire [31:0] c_in;
-  wire [31:0] \c_in$5 ;
+  wire [31:0] \c_in$17 ;
   input [31:0] c_out;
   wire [31:0] c_out;
-  wire [31:0] \c_out$7 ;
+  wire [31:0] \c_out$19 ;
   wire [75:0] chain_i;
-  wire [75:0] \chain_i$131 ;
-  wire [18:0] \chain_i$131[0] ;
-  wire [18:0] \chain_i$131[1] ;
-  wire [18:0] \chain_i$131[2] ;
-  wire [18:0] \chain_i$131[3] ;
-  wire [75:0] \chain_i$140 ;
-  wire [18:0] \chain_i$140[0] ;
-  wire [18:0] \chain_i$140[1] ;
-  wire [18:0] \chain_i$140[2] ;
-  wire [18:0] \chain_i$140[3] ;
-  wire [75:0] \chain_i$149 ;
-  wire [18:0] \chain_i$149[0] ;
-  wire [18:0] \chain_i$149[1] ;
-  wire [18:0] \chain_i$149[2] ;
-  wire [18:0] \chain_i$149[3] ;
-  wire [75:0] \chain_i$157 ;
-  wire [18:0] \chain_i$157[0] ;
-  wire [18:0] \chain_i$157[1] ;
-  wire [18:0] \chain_i$157[2] ;
-  wire [18:0] \chain_i$157[3] ;
-  wire [75:0] \chain_i$165 ;
-  wire [18:0] \chain_i$165[0] ;
-  wire [18:0] \chain_i$165[1] ;
-  wire [18:0] \chain_i$165[2] ;
-  wire [18:0] \chain_i$165[3] ;
-  wire [75:0] \chain_i$173 ;
-  wire [18:0] \chain_i$173[0] ;
-  wire [18:0] \chain_i$173[1] ;
-  wire [18:0] \chain_i$173[2] ;
-  wire [18:0] \chain_i$173[3] ;
-  wire [75:0] \chain_i$181 ;
-  wire [18:0] \chain_i$181[0] ;
-  wire [18:0] \chain_i$181[1] ;
-  wire [18:0] \chain_i$181[2] ;
-  wire [18:0] \chain_i$181[3] ;
-  wire [75:0] \chain_i$189 ;
-  wire [18:0] \chain_i$189[0] ;
-  wire [18:0] \chain_i$189[1] ;
-  wire [18:0] \chain_i$189[2] ;
-  wire [18:0] \chain_i$189[3] ;
-  wire [75:0] \chain_i$197 ;
-  wire [18:0] \chain_i$197[0] ;
-  wire [18:0] \chain_i$197[1] ;
-  wire [18:0] \chain_i$197[2] ;
-  wire [18:0] \chain_i$197[3] ;
-  wire [75:0] \chain_i$205 ;
-  wire [18:0] \chain_i$205[0] ;
-  wire [18:0] \chain_i$205[1] ;
-  wire [18:0] \chain_i$205[2] ;
-  wire [18:0] \chain_i$205[3] ;
-  wire [75:0] \chain_i$213 ;
-  wire [18:0] \chain_i$213[0] ;
-  wire [18:0] \chain_i$213[1] ;
-  wire [18:0] \chain_i$213[2] ;
-  wire [18:0] \chain_i$213[3] ;
-  wire [75:0] \chain_i$221 ;
-  wire [18:0] \chain_i$221[0] ;
-  wire [18:0] \chain_i$221[1] ;
-  wire [18:0] \chain_i$221[2] ;
-  wire [18:0] \chain_i$221[3] ;
-  wire [75:0] \chain_i$229 ;
-  wire [18:0] \chain_i$229[0] ;
-  wire [18:0] \chain_i$229[1] ;
-  wire [18:0] \chain_i$229[2] ;
-  wire [18:0] \chain_i$229[3] ;
-  wire [75:0] \chain_i$237 ;
-  wire [18:0] \chain_i$237[0] ;
-  wire [18:0] \chain_i$237[1] ;
-  wire [18:0] \chain_i$237[2] ;
-  wire [18:0] \chain_i$237[3] ;
-  wire [75:0] \chain_i$245 ;
-  wire [18:0] \chain_i$245[0] ;
-  wire [18:0] \chain_i$245[1] ;
-  wire [18:0] \chain_i$245[2] ;
-  wire [18:0] \chain_i$245[3] ;
-  wire [75:0] \chain_i$253 ;
-  wire [18:0] \chain_i$253[0] ;
-  wire [18:0] \chain_i$253[1] ;
-  wire [18:0] \chain_i$253[2] ;
-  wire [18:0] \chain_i$253[3] ;
-  wire [75:0] \chain_i$261 ;
-  wire [18:0] \chain_i$261[0] ;
-  wire [18:0] \chain_i$261[1] ;
-  wire [18:0] \chain_i$261[2] ;
-  wire [18:0] \chain_i$261[3] ;
-  wire [75:0] \chain_i$269 ;
-  wire [18:0] \chain_i$269[0] ;
-  wire [18:0] \chain_i$269[1] ;
-  wire [18:0] \chain_i$269[2] ;
-  wire [18:0] \chain_i$269[3] ;
-  wire [75:0] \chain_i$277 ;
-  wire [18:0] \chain_i$277[0] ;
-  wire [18:0] \chain_i$277[1] ;
-  wire [18:0] \chain_i$277[2] ;
-  wire [18:0] \chain_i$277[3] ;
-  wire [75:0] \chain_i$285 ;
-  wire [18:0] \chain_i$285[0] ;
-  wire [18:0] \chain_i$285[1] ;
-  wire [18:0] \chain_i$285[2] ;
-  wire [18:0] \chain_i$285[3] ;
-  wire [75:0] \chain_i$293 ;
-  wire [18:0] \chain_i$293[0] ;
-  wire [18:0] \chain_i$293[1] ;
-  wire [18:0] \chain_i$293[2] ;
-  wire [18:0] \chain_i$293[3] ;
-  wire [75:0] \chain_i$301 ;
-  wire [18:0] \chain_i$301[0] ;
-  wire [18:0] \chain_i$301[1] ;
-  wire [18:0] \chain_i$301[2] ;
-  wire [18:0] \chain_i$301[3] ;
-  wire [75:0] \chain_i$309 ;
-  wire [18:0] \chain_i$309[0] ;
-  wire [18:0] \chain_i$309[1] ;
-  wire [18:0] \chain_i$309[2] ;
-  wire [18:0] \chain_i$309[3] ;
-  wire [75:0] \chain_i$317 ;
-  wire [18:0] \chain_i$317[0] ;
-  wire [18:0] \chain_i$317[1] ;
-  wire [18:0] \chain_i$317[2] ;
-  wire [18:0] \chain_i$317[3] ;
-  wire [75:0] \chain_i$325 ;
-  wire [18:0] \chain_i$325[0] ;
-  wire [18:0] \chain_i$325[1] ;
-  wire [18:0] \chain_i$325[2] ;
-  wire [18:0] \chain_i$325[3] ;
-  wire [75:0] \chain_i$333 ;
-  wire [18:0] \chain_i$333[0] ;
-  wire [18:0] \chain_i$333[1] ;
-  wire [18:0] \chain_i$333[2] ;
-  wire [18:0] \chain_i$333[3] ;
-  wire [75:0] \chain_i$341 ;
-  wire [18:0] \chain_i$341[0] ;
-  wire [18:0] \chain_i$341[1] ;
-  wire [18:0] \chain_i$341[2] ;
-  wire [18:0] \chain_i$341[3] ;
-  wire [75:0] \chain_i$349 ;
-  wire [18:0] \chain_i$349[0] ;
-  wire [18:0] \chain_i$349[1] ;
-  wire [18:0] \chain_i$349[2] ;
-  wire [18:0] \chain_i$349[3] ;
-  wire [75:0] \chain_i$357 ;
-  wire [18:0] \chain_i$357[0] ;
-  wire [18:0] \chain_i$357[1] ;
-  wire [18:0] \chain_i$357[2] ;
-  wire [18:0] \chain_i$357[3] ;
-  wire [75:0] \chain_i$365 ;
-  wire [18:0] \chain_i$365[0] ;
-  wire [18:0] \chain_i$365[1] ;
-  wire [18:0] \chain_i$365[2] ;
-  wire [18:0] \chain_i$365[3] ;
-  wire [75:0] \chain_i$373 ;
-  wire [18:0] \chain_i$373[0] ;
-  wire [18:0] \chain_i$373[1] ;
-  wire [18:0] \chain_i$373[2] ;
-  wire [18:0] \chain_i$373[3] ;
-  wire [75:0] \chain_i$381 ;
-  wire [18:0] \chain_i$381[0] ;
-  wire [18:0] \chain_i$381[1] ;
-  wire [18:0] \chain_i$381[2] ;
-  wire [18:0] \chain_i$381[3] ;
-  wire [75:0] \chain_i$389 ;
-  wire [18:0] \chain_i$389[0] ;
-  wire [18:0] \chain_i$389[1] ;
-  wire [18:0] \chain_i$389[2] ;
-  wire [18:0] \chain_i$389[3] ;
-  wire [75:0] \chain_i$397 ;
-  wire [18:0] \chain_i$397[0] ;
-  wire [18:0] \chain_i$397[1] ;
-  wire [18:0] \chain_i$397[2] ;
-  wire [18:0] \chain_i$397[3] ;
-  wire [75:0] \chain_i$405 ;
-  wire [18:0] \chain_i$405[0] ;
-  wire [18:0] \chain_i$405[1] ;
-  wire [18:0] \chain_i$405[2] ;
-  wire [18:0] \chain_i$405[3] ;
-  wire [75:0] \chain_i$413 ;
-  wire [18:0] \chain_i$413[0] ;
-  wire [18:0] \chain_i$413[1] ;
-  wire [18:0] \chain_i$413[2] ;
-  wire [18:0] \chain_i$413[3] ;
-  wire [75:0] \chain_i$421 ;
-  wire [18:0] \chain_i$421[0] ;
-  wire [18:0] \chain_i$421[1] ;
-  wire [18:0] \chain_i$421[2] ;
-  wire [18:0] \chain_i$421[3] ;
-  wire [75:0] \chain_i$429 ;
-  wire [18:0] \chain_i$429[0] ;
-  wire [18:0] \chain_i$429[1] ;
-  wire [18:0] \chain_i$429[2] ;
-  wire [18:0] \chain_i$429[3] ;
-  wire [75:0] \chain_i$437 ;
-  wire [18:0] \chain_i$437[0] ;
-  wire [18:0] \chain_i$437[1] ;
-  wire [18:0] \chain_i$437[2] ;
-  wire [18:0] \chain_i$437[3] ;
-  wire [75:0] \chain_i$445 ;
-  wire [18:0] \chain_i$445[0] ;
-  wire [18:0] \chain_i$445[1] ;
-  wire [18:0] \chain_i$445[2] ;
-  wire [18:0] \chain_i$445[3] ;
-  wire [75:0] \chain_i$453 ;
-  wire [18:0] \chain_i$453[0] ;
-  wire [18:0] \chain_i$453[1] ;
-  wire [18:0] \chain_i$453[2] ;
-  wire [18:0] \chain_i$453[3] ;
-  wire [75:0] \chain_i$461 ;
-  wire [18:0] \chain_i$461[0] ;
-  wire [18:0] \chain_i$461[1] ;
-  wire [18:0] \chain_i$461[2] ;
-  wire [18:0] \chain_i$461[3] ;
-  wire [75:0] \chain_i$469 ;
-  wire [18:0] \chain_i$469[0] ;
-  wire [18:0] \chain_i$469[1] ;
-  wire [18:0] \chain_i$469[2] ;
-  wire [18:0] \chain_i$469[3] ;
-  wire [75:0] \chain_i$477 ;
-  wire [18:0] \chain_i$477[0] ;
-  wire [18:0] \chain_i$477[1] ;
-  wire [18:0] \chain_i$477[2] ;
-  wire [18:0] \chain_i$477[3] ;
-  wire [75:0] \chain_i$485 ;
-  wire [18:0] \chain_i$485[0] ;
-  wire [18:0] \chain_i$485[1] ;
-  wire [18:0] \chain_i$485[2] ;
-  wire [18:0] \chain_i$485[3] ;
-  wire [75:0] \chain_i$493 ;
-  wire [18:0] \chain_i$493[0] ;
-  wire [18:0] \chain_i$493[1] ;
-  wire [18:0] \chain_i$493[2] ;
-  wire [18:0] \chain_i$493[3] ;
-  wire [75:0] \chain_i$501 ;
-  wire [18:0] \chain_i$501[0] ;
-  wire [18:0] \chain_i$501[1] ;
-  wire [18:0] \chain_i$501[2] ;
-  wire [18:0] \chain_i$501[3] ;
-  wire [75:0] \chain_i$509 ;
-  wire [18:0] \chain_i$509[0] ;
-  wire [18:0] \chain_i$509[1] ;
-  wire [18:0] \chain_i$509[2] ;
-  wire [18:0] \chain_i$509[3] ;
-  wire [75:0] \chain_i$517 ;
-  wire [18:0] \chain_i$517[0] ;
-  wire [18:0] \chain_i$517[1] ;
-  wire [18:0] \chain_i$517[2] ;
-  wire [18:0] \chain_i$517[3] ;
-  wire [75:0] \chain_i$525 ;
-  wire [18:0] \chain_i$525[0] ;
-  wire [18:0] \chain_i$525[1] ;
-  wire [18:0] \chain_i$525[2] ;
-  wire [18:0] \chain_i$525[3] ;
-  wire [75:0] \chain_i$533 ;
-  wire [18:0] \chain_i$533[0] ;
-  wire [18:0] \chain_i$533[1] ;
-  wire [18:0] \chain_i$533[2] ;
-  wire [18:0] \chain_i$533[3] ;
-  wire [75:0] \chain_i$541 ;
-  wire [18:0] \chain_i$541[0] ;
-  wire [18:0] \chain_i$541[1] ;
-  wire [18:0] \chain_i$541[2] ;
-  wire [18:0] \chain_i$541[3] ;
-  wire [75:0] \chain_i$549 ;
-  wire [18:0] \chain_i$549[0] ;
-  wire [18:0] \chain_i$549[1] ;
-  wire [18:0] \chain_i$549[2] ;
-  wire [18:0] \chain_i$549[3] ;
-  wire [75:0] \chain_i$557 ;
-  wire [18:0] \chain_i$557[0] ;
-  wire [18:0] \chain_i$557[1] ;
-  wire [18:0] \chain_i$557[2] ;
-  wire [18:0] \chain_i$557[3] ;
-  wire [75:0] \chain_i$565 ;
-  wire [18:0] \chain_i$565[0] ;
-  wire [18:0] \chain_i$565[1] ;
-  wire [18:0] \chain_i$565[2] ;
-  wire [18:0] \chain_i$565[3] ;
-  wire [75:0] \chain_i$573 ;
-  wire [18:0] \chain_i$573[0] ;
-  wire [18:0] \chain_i$573[1] ;
-  wire [18:0] \chain_i$573[2] ;
-  wire [18:0] \chain_i$573[3] ;
-  wire [75:0] \chain_i$581 ;
-  wire [18:0] \chain_i$581[0] ;
-  wire [18:0] \chain_i$581[1] ;
-  wire [18:0] \chain_i$581[2] ;
-  wire [18:0] \chain_i$581[3] ;
-  wire [75:0] \chain_i$589 ;
-  wire [18:0] \chain_i$589[0] ;
-  wire [18:0] \chain_i$589[1] ;
-  wire [18:0] \chain_i$589[2] ;
-  wire [18:0] \chain_i$589[3] ;
-  wire [75:0] \chain_i$597 ;
-  wire [18:0] \chain_i$597[0] ;
-  wire [18:0] \chain_i$597[1] ;
-  wire [18:0] \chain_i$597[2] ;
-  wire [18:0] \chain_i$597[3] ;
+  wire [75:0] \chain_i$137 ;
+  wire [18:0] \chain_i$137[0] ;
+  wire [18:0] \chain_i$137[1] ;
+  wire [18:0] \chain_i$137[2] ;
+  wire [18:0] \chain_i$137[3] ;
+  wire [75:0] \chain_i$146 ;
+  wire [18:0] \chain_i$146[0] ;
+  wire [18:0] \chain_i$146[1] ;
+  wire [18:0] \chain_i$146[2] ;
+  wire [18:0] \chain_i$146[3] ;
+  wire [75:0] \chain_i$155 ;
+  wire [18:0] \chain_i$155[0] ;
+  wire [18:0] \chain_i$155[1] ;
+  wire [18:0] \chain_i$155[2] ;
+  wire [18:0] \chain_i$155[3] ;
+  wire [75:0] \chain_i$163 ;
+  wire [18:0] \chain_i$163[0] ;
+  wire [18:0] \chain_i$163[1] ;
+  wire [18:0] \chain_i$163[2] ;
+  wire [18:0] \chain_i$163[3] ;
+  wire [75:0] \chain_i$171 ;
+  wire [18:0] \chain_i$171[0] ;
+  wire [18:0] \chain_i$171[1] ;
+  wire [18:0] \chain_i$171[2] ;
+  wire [18:0] \chain_i$171[3] ;
+  wire [75:0] \chain_i$179 ;
+  wire [18:0] \chain_i$179[0] ;
+  wire [18:0] \chain_i$179[1] ;
+  wire [18:0] \chain_i$179[2] ;
+  wire [18:0] \chain_i$179[3] ;
+  wire [75:0] \chain_i$187 ;
+  wire [18:0] \chain_i$187[0] ;
+  wire [18:0] \chain_i$187[1] ;
+  wire [18:0] \chain_i$187[2] ;
+  wire [18:0] \chain_i$187[3] ;
+  wire [75:0] \chain_i$195 ;
+  wire [18:0] \chain_i$195[0] ;
+  wire [18:0] \chain_i$195[1] ;
+  wire [18:0] \chain_i$195[2] ;
+  wire [18:0] \chain_i$195[3] ;
+  wire [75:0] \chain_i$203 ;
+  wire [18:0] \chain_i$203[0] ;
+  wire [18:0] \chain_i$203[1] ;
+  wire [18:0] \chain_i$203[2] ;
+  wire [18:0] \chain_i$203[3] ;
+  wire [75:0] \chain_i$211 ;
+  wire [18:0] \chain_i$211[0] ;
+  wire [18:0] \chain_i$211[1] ;
+  wire [18:0] \chain_i$211[2] ;
+  wire [18:0] \chain_i$211[3] ;
+  wire [75:0] \chain_i$219 ;
+  wire [18:0] \chain_i$219[0] ;
+  wire [18:0] \chain_i$219[1] ;
+  wire [18:0] \chain_i$219[2] ;
+  wire [18:0] \chain_i$219[3] ;
+  wire [75:0] \chain_i$227 ;
+  wire [18:0] \chain_i$227[0] ;
+  wire [18:0] \chain_i$227[1] ;
+  wire [18:0] \chain_i$227[2] ;
+  wire [18:0] \chain_i$227[3] ;
+  wire [75:0] \chain_i$235 ;
+  wire [18:0] \chain_i$235[0] ;
+  wire [18:0] \chain_i$235[1] ;
+  wire [18:0] \chain_i$235[2] ;
+  wire [18:0] \chain_i$235[3] ;
+  wire [75:0] \chain_i$243 ;
+  wire [18:0] \chain_i$243[0] ;
+  wire [18:0] \chain_i$243[1] ;
+  wire [18:0] \chain_i$243[2] ;
+  wire [18:0] \chain_i$243[3] ;
+  wire [75:0] \chain_i$251 ;
+  wire [18:0] \chain_i$251[0] ;
+  wire [18:0] \chain_i$251[1] ;
+  wire [18:0] \chain_i$251[2] ;
+  wire [18:0] \chain_i$251[3] ;
+  wire [75:0] \chain_i$259 ;
+  wire [18:0] \chain_i$259[0] ;
+  wire [18:0] \chain_i$259[1] ;
+  wire [18:0] \chain_i$259[2] ;
+  wire [18:0] \chain_i$259[3] ;
+  wire [75:0] \chain_i$267 ;
+  wire [18:0] \chain_i$267[0] ;
+  wire [18:0] \chain_i$267[1] ;
+  wire [18:0] \chain_i$267[2] ;
+  wire [18:0] \chain_i$267[3] ;
+  wire [75:0] \chain_i$275 ;
+  wire [18:0] \chain_i$275[0] ;
+  wire [18:0] \chain_i$275[1] ;
+  wire [18:0] \chain_i$275[2] ;
+  wire [18:0] \chain_i$275[3] ;
+  wire [75:0] \chain_i$283 ;
+  wire [18:0] \chain_i$283[0] ;
+  wire [18:0] \chain_i$283[1] ;
+  wire [18:0] \chain_i$283[2] ;
+  wire [18:0] \chain_i$283[3] ;
+  wire [75:0] \chain_i$291 ;
+  wire [18:0] \chain_i$291[0] ;
+  wire [18:0] \chain_i$291[1] ;
+  wire [18:0] \chain_i$291[2] ;
+  wire [18:0] \chain_i$291[3] ;
+  wire [75:0] \chain_i$299 ;
+  wire [18:0] \chain_i$299[0] ;
+  wire [18:0] \chain_i$299[1] ;
+  wire [18:0] \chain_i$299[2] ;
+  wire [18:0] \chain_i$299[3] ;
+  wire [75:0] \chain_i$307 ;
+  wire [18:0] \chain_i$307[0] ;
+  wire [18:0] \chain_i$307[1] ;
+  wire [18:0] \chain_i$307[2] ;
+  wire [18:0] \chain_i$307[3] ;
+  wire [75:0] \chain_i$315 ;
+  wire [18:0] \chain_i$315[0] ;
+  wire [18:0] \chain_i$315[1] ;
+  wire [18:0] \chain_i$315[2] ;
+  wire [18:0] \chain_i$315[3] ;
+  wire [75:0] \chain_i$323 ;
+  wire [18:0] \chain_i$323[0] ;
+  wire [18:0] \chain_i$323[1] ;
+  wire [18:0] \chain_i$323[2] ;
+  wire [18:0] \chain_i$323[3] ;
+  wire [75:0] \chain_i$331 ;
+  wire [18:0] \chain_i$331[0] ;
+  wire [18:0] \chain_i$331[1] ;
+  wire [18:0] \chain_i$331[2] ;
+  wire [18:0] \chain_i$331[3] ;
+  wire [75:0] \chain_i$339 ;
+  wire [18:0] \chain_i$339[0] ;
+  wire [18:0] \chain_i$339[1] ;
+  wire [18:0] \chain_i$339[2] ;
+  wire [18:0] \chain_i$339[3] ;
+  wire [75:0] \chain_i$347 ;
+  wire [18:0] \chain_i$347[0] ;
+  wire [18:0] \chain_i$347[1] ;
+  wire [18:0] \chain_i$347[2] ;
+  wire [18:0] \chain_i$347[3] ;
+  wire [75:0] \chain_i$355 ;
+  wire [18:0] \chain_i$355[0] ;
+  wire [18:0] \chain_i$355[1] ;
+  wire [18:0] \chain_i$355[2] ;
+  wire [18:0] \chain_i$355[3] ;
+  wire [75:0] \chain_i$363 ;
+  wire [18:0] \chain_i$363[0] ;
+  wire [18:0] \chain_i$363[1] ;
+  wire [18:0] \chain_i$363[2] ;
+  wire [18:0] \chain_i$363[3] ;
+  wire [75:0] \chain_i$371 ;
+  wire [18:0] \chain_i$371[0] ;
+  wire [18:0] \chain_i$371[1] ;
+  wire [18:0] \chain_i$371[2] ;
+  wire [18:0] \chain_i$371[3] ;
+  wire [75:0] \chain_i$379 ;
+  wire [18:0] \chain_i$379[0] ;
+  wire [18:0] \chain_i$379[1] ;
+  wire [18:0] \chain_i$379[2] ;
+  wire [18:0] \chain_i$379[3] ;
+  wire [75:0] \chain_i$387 ;
+  wire [18:0] \chain_i$387[0] ;
+  wire [18:0] \chain_i$387[1] ;
+  wire [18:0] \chain_i$387[2] ;
+  wire [18:0] \chain_i$387[3] ;
+  wire [75:0] \chain_i$395 ;
+  wire [18:0] \chain_i$395[0] ;
+  wire [18:0] \chain_i$395[1] ;
+  wire [18:0] \chain_i$395[2] ;
+  wire [18:0] \chain_i$395[3] ;
+  wire [75:0] \chain_i$403 ;
+  wire [18:0] \chain_i$403[0] ;
+  wire [18:0] \chain_i$403[1] ;
+  wire [18:0] \chain_i$403[2] ;
+  wire [18:0] \chain_i$403[3] ;
+  wire [75:0] \chain_i$411 ;
+  wire [18:0] \chain_i$411[0] ;
+  wire [18:0] \chain_i$411[1] ;
+  wire [18:0] \chain_i$411[2] ;
+  wire [18:0] \chain_i$411[3] ;
+  wire [75:0] \chain_i$419 ;
+  wire [18:0] \chain_i$419[0] ;
+  wire [18:0] \chain_i$419[1] ;
+  wire [18:0] \chain_i$419[2] ;
+  wire [18:0] \chain_i$419[3] ;
+  wire [75:0] \chain_i$427 ;
+  wire [18:0] \chain_i$427[0] ;
+  wire [18:0] \chain_i$427[1] ;
+  wire [18:0] \chain_i$427[2] ;
+  wire [18:0] \chain_i$427[3] ;
+  wire [75:0] \chain_i$435 ;
+  wire [18:0] \chain_i$435[0] ;
+  wire [18:0] \chain_i$435[1] ;
+  wire [18:0] \chain_i$435[2] ;
+  wire [18:0] \chain_i$435[3] ;
+  wire [75:0] \chain_i$443 ;
+  wire [18:0] \chain_i$443[0] ;
+  wire [18:0] \chain_i$443[1] ;
+  wire [18:0] \chain_i$443[2] ;
+  wire [18:0] \chain_i$443[3] ;
+  wire [75:0] \chain_i$451 ;
+  wire [18:0] \chain_i$451[0] ;
+  wire [18:0] \chain_i$451[1] ;
+  wire [18:0] \chain_i$451[2] ;
+  wire [18:0] \chain_i$451[3] ;
+  wire [75:0] \chain_i$459 ;
+  wire [18:0] \chain_i$459[0] ;
+  wire [18:0] \chain_i$459[1] ;
+  wire [18:0] \chain_i$459[2] ;
+  wire [18:0] \chain_i$459[3] ;
+  wire [75:0] \chain_i$467 ;
+  wire [18:0] \chain_i$467[0] ;
+  wire [18:0] \chain_i$467[1] ;
+  wire [18:0] \chain_i$467[2] ;
+  wire [18:0] \chain_i$467[3] ;
+  wire [75:0] \chain_i$475 ;
+  wire [18:0] \chain_i$475[0] ;
+  wire [18:0] \chain_i$475[1] ;
+  wire [18:0] \chain_i$475[2] ;
+  wire [18:0] \chain_i$475[3] ;
+  wire [75:0] \chain_i$483 ;
+  wire [18:0] \chain_i$483[0] ;
+  wire [18:0] \chain_i$483[1] ;
+  wire [18:0] \chain_i$483[2] ;
+  wire [18:0] \chain_i$483[3] ;
+  wire [75:0] \chain_i$491 ;
+  wire [18:0] \chain_i$491[0] ;
+  wire [18:0] \chain_i$491[1] ;
+  wire [18:0] \chain_i$491[2] ;
+  wire [18:0] \chain_i$491[3] ;
+  wire [75:0] \chain_i$499 ;
+  wire [18:0] \chain_i$499[0] ;
+  wire [18:0] \chain_i$499[1] ;
+  wire [18:0] \chain_i$499[2] ;
+  wire [18:0] \chain_i$499[3] ;
+  wire [75:0] \chain_i$507 ;
+  wire [18:0] \chain_i$507[0] ;
+  wire [18:0] \chain_i$507[1] ;
+  wire [18:0] \chain_i$507[2] ;
+  wire [18:0] \chain_i$507[3] ;
+  wire [75:0] \chain_i$515 ;
+  wire [18:0] \chain_i$515[0] ;
+  wire [18:0] \chain_i$515[1] ;
+  wire [18:0] \chain_i$515[2] ;
+  wire [18:0] \chain_i$515[3] ;
+  wire [75:0] \chain_i$523 ;
+  wire [18:0] \chain_i$523[0] ;
+  wire [18:0] \chain_i$523[1] ;
+  wire [18:0] \chain_i$523[2] ;
+  wire [18:0] \chain_i$523[3] ;
+  wire [75:0] \chain_i$531 ;
+  wire [18:0] \chain_i$531[0] ;
+  wire [18:0] \chain_i$531[1] ;
+  wire [18:0] \chain_i$531[2] ;
+  wire [18:0] \chain_i$531[3] ;
+  wire [75:0] \chain_i$539 ;
+  wire [18:0] \chain_i$539[0] ;
+  wire [18:0] \chain_i$539[1] ;
+  wire [18:0] \chain_i$539[2] ;
+  wire [18:0] \chain_i$539[3] ;
+  wire [75:0] \chain_i$547 ;
+  wire [18:0] \chain_i$547[0] ;
+  wire [18:0] \chain_i$547[1] ;
+  wire [18:0] \chain_i$547[2] ;
+  wire [18:0] \chain_i$547[3] ;
+  wire [75:0] \chain_i$555 ;
+  wire [18:0] \chain_i$555[0] ;
+  wire [18:0] \chain_i$555[1] ;
+  wire [18:0] \chain_i$555[2] ;
+  wire [18:0] \chain_i$555[3] ;
+  wire [75:0] \chain_i$563 ;
+  wire [18:0] \chain_i$563[0] ;
+  wire [18:0] \chain_i$563[1] ;
+  wire [18:0] \chain_i$563[2] ;
+  wire [18:0] \chain_i$563[3] ;
+  wire [75:0] \chain_i$571 ;
+  wire [18:0] \chain_i$571[0] ;
+  wire [18:0] \chain_i$571[1] ;
+  wire [18:0] \chain_i$571[2] ;
+  wire [18:0] \chain_i$571[3] ;
+  wire [75:0] \chain_i$579 ;
+  wire [18:0] \chain_i$579[0] ;
+  wire [18:0] \chain_i$579[1] ;
+  wire [18:0] \chain_i$579[2] ;
+  wire [18:0] \chain_i$579[3] ;
+  wire [75:0] \chain_i$587 ;
+  wire [18:0] \chain_i$587[0] ;
+  wire [18:0] \chain_i$587[1] ;
+  wire [18:0] \chain_i$587[2] ;
+  wire [18:0] \chain_i$587[3] ;
+  wire [75:0] \chain_i$595 ;
+  wire [18:0] \chain_i$595[0] ;
+  wire [18:0] \chain_i$595[1] ;
+  wire [18:0] \chain_i$595[2] ;
+  wire [18:0] \chain_i$595[3] ;
+  wire [75:0] \chain_i$603 ;
+  wire [18:0] \chain_i$603[0] ;
+  wire [18:0] \chain_i$603[1] ;
+  wire [18:0] \chain_i$603[2] ;
+  wire [18:0] \chain_i$603[3] ;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
   wire [18:0] \chain_i[2] ;
   wire [18:0] \chain_i[3] ;
   wire [75:0] chain_o;
-  wire [75:0] \chain_o$123 ;
-  wire [18:0] \chain_o$123[0] ;
-  wire [18:0] \chain_o$123[1] ;
-  wire [18:0] \chain_o$123[2] ;
-  wire [18:0] \chain_o$123[3] ;
-  wire [75:0] \chain_o$130 ;
-  wire [18:0] \chain_o$130[0] ;
-  wire [18:0] \chain_o$130[1] ;
-  wire [18:0] \chain_o$130[2] ;
-  wire [18:0] \chain_o$130[3] ;
-  wire [75:0] \chain_o$132 ;
-  wire [18:0] \chain_o$132[0] ;
-  wire [18:0] \chain_o$132[1] ;
-  wire [18:0] \chain_o$132[2] ;
-  wire [18:0] \chain_o$132[3] ;
-  wire [75:0] \chain_o$139 ;
-  wire [18:0] \chain_o$139[0] ;
-  wire [18:0] \chain_o$139[1] ;
-  wire [18:0] \chain_o$139[2] ;
-  wire [18:0] \chain_o$139[3] ;
-  wire [75:0] \chain_o$141 ;
-  wire [18:0] \chain_o$141[0] ;
-  wire [18:0] \chain_o$141[1] ;
-  wire [18:0] \chain_o$141[2] ;
-  wire [18:0] \chain_o$141[3] ;
-  wire [75:0] \chain_o$148 ;
-  wire [18:0] \chain_o$148[0] ;
-  wire [18:0] \chain_o$148[1] ;
-  wire [18:0] \chain_o$148[2] ;
-  wire [18:0] \chain_o$148[3] ;
-  wire [75:0] \chain_o$150 ;
-  wire [18:0] \chain_o$150[0] ;
-  wire [18:0] \chain_o$150[1] ;
-  wire [18:0] \chain_o$150[2] ;
-  wire [18:0] \chain_o$150[3] ;
-  wire [75:0] \chain_o$158 ;
-  wire [18:0] \chain_o$158[0] ;
-  wire [18:0] \chain_o$158[1] ;
-  wire [18:0] \chain_o$158[2] ;
-  wire [18:0] \chain_o$158[3] ;
-  wire [75:0] \chain_o$166 ;
-  wire [18:0] \chain_o$166[0] ;
-  wire [18:0] \chain_o$166[1] ;
-  wire [18:0] \chain_o$166[2] ;
-  wire [18:0] \chain_o$166[3] ;
-  wire [75:0] \chain_o$174 ;
-  wire [18:0] \chain_o$174[0] ;
-  wire [18:0] \chain_o$174[1] ;
-  wire [18:0] \chain_o$174[2] ;
-  wire [18:0] \chain_o$174[3] ;
-  wire [75:0] \chain_o$182 ;
-  wire [18:0] \chain_o$182[0] ;
-  wire [18:0] \chain_o$182[1] ;
-  wire [18:0] \chain_o$182[2] ;
-  wire [18:0] \chain_o$182[3] ;
-  wire [75:0] \chain_o$190 ;
-  wire [18:0] \chain_o$190[0] ;
-  wire [18:0] \chain_o$190[1] ;
-  wire [18:0] \chain_o$190[2] ;
-  wire [18:0] \chain_o$190[3] ;
-  wire [75:0] \chain_o$198 ;
-  wire [18:0] \chain_o$198[0] ;
-  wire [18:0] \chain_o$198[1] ;
-  wire [18:0] \chain_o$198[2] ;
-  wire [18:0] \chain_o$198[3] ;
-  wire [75:0] \chain_o$206 ;
-  wire [18:0] \chain_o$206[0] ;
-  wire [18:0] \chain_o$206[1] ;
-  wire [18:0] \chain_o$206[2] ;
-  wire [18:0] \chain_o$206[3] ;
-  wire [75:0] \chain_o$214 ;
-  wire [18:0] \chain_o$214[0] ;
-  wire [18:0] \chain_o$214[1] ;
-  wire [18:0] \chain_o$214[2] ;
-  wire [18:0] \chain_o$214[3] ;
-  wire [75:0] \chain_o$222 ;
-  wire [18:0] \chain_o$222[0] ;
-  wire [18:0] \chain_o$222[1] ;
-  wire [18:0] \chain_o$222[2] ;
-  wire [18:0] \chain_o$222[3] ;
-  wire [75:0] \chain_o$230 ;
-  wire [18:0] \chain_o$230[0] ;
-  wire [18:0] \chain_o$230[1] ;
-  wire [18:0] \chain_o$230[2] ;
-  wire [18:0] \chain_o$230[3] ;
-  wire [75:0] \chain_o$238 ;
-  wire [18:0] \chain_o$238[0] ;
-  wire [18:0] \chain_o$238[1] ;
-  wire [18:0] \chain_o$238[2] ;
-  wire [18:0] \chain_o$238[3] ;
-  wire [75:0] \chain_o$246 ;
-  wire [18:0] \chain_o$246[0] ;
-  wire [18:0] \chain_o$246[1] ;
-  wire [18:0] \chain_o$246[2] ;
-  wire [18:0] \chain_o$246[3] ;
-  wire [75:0] \chain_o$254 ;
-  wire [18:0] \chain_o$254[0] ;
-  wire [18:0] \chain_o$254[1] ;
-  wire [18:0] \chain_o$254[2] ;
-  wire [18:0] \chain_o$254[3] ;
-  wire [75:0] \chain_o$262 ;
-  wire [18:0] \chain_o$262[0] ;
-  wire [18:0] \chain_o$262[1] ;
-  wire [18:0] \chain_o$262[2] ;
-  wire [18:0] \chain_o$262[3] ;
-  wire [75:0] \chain_o$270 ;
-  wire [18:0] \chain_o$270[0] ;
-  wire [18:0] \chain_o$270[1] ;
-  wire [18:0] \chain_o$270[2] ;
-  wire [18:0] \chain_o$270[3] ;
-  wire [75:0] \chain_o$278 ;
-  wire [18:0] \chain_o$278[0] ;
-  wire [18:0] \chain_o$278[1] ;
-  wire [18:0] \chain_o$278[2] ;
-  wire [18:0] \chain_o$278[3] ;
-  wire [75:0] \chain_o$286 ;
-  wire [18:0] \chain_o$286[0] ;
-  wire [18:0] \chain_o$286[1] ;
-  wire [18:0] \chain_o$286[2] ;
-  wire [18:0] \chain_o$286[3] ;
-  wire [75:0] \chain_o$294 ;
-  wire [18:0] \chain_o$294[0] ;
-  wire [18:0] \chain_o$294[1] ;
-  wire [18:0] \chain_o$294[2] ;
-  wire [18:0] \chain_o$294[3] ;
-  wire [75:0] \chain_o$302 ;
-  wire [18:0] \chain_o$302[0] ;
-  wire [18:0] \chain_o$302[1] ;
-  wire [18:0] \chain_o$302[2] ;
-  wire [18:0] \chain_o$302[3] ;
-  wire [75:0] \chain_o$310 ;
-  wire [18:0] \chain_o$310[0] ;
-  wire [18:0] \chain_o$310[1] ;
-  wire [18:0] \chain_o$310[2] ;
-  wire [18:0] \chain_o$310[3] ;
-  wire [75:0] \chain_o$318 ;
-  wire [18:0] \chain_o$318[0] ;
-  wire [18:0] \chain_o$318[1] ;
-  wire [18:0] \chain_o$318[2] ;
-  wire [18:0] \chain_o$318[3] ;
-  wire [75:0] \chain_o$326 ;
-  wire [18:0] \chain_o$326[0] ;
-  wire [18:0] \chain_o$326[1] ;
-  wire [18:0] \chain_o$326[2] ;
-  wire [18:0] \chain_o$326[3] ;
-  wire [75:0] \chain_o$334 ;
-  wire [18:0] \chain_o$334[0] ;
-  wire [18:0] \chain_o$334[1] ;
-  wire [18:0] \chain_o$334[2] ;
-  wire [18:0] \chain_o$334[3] ;
-  wire [75:0] \chain_o$342 ;
-  wire [18:0] \chain_o$342[0] ;
-  wire [18:0] \chain_o$342[1] ;
-  wire [18:0] \chain_o$342[2] ;
-  wire [18:0] \chain_o$342[3] ;
-  wire [75:0] \chain_o$350 ;
-  wire [18:0] \chain_o$350[0] ;
-  wire [18:0] \chain_o$350[1] ;
-  wire [18:0] \chain_o$350[2] ;
-  wire [18:0] \chain_o$350[3] ;
-  wire [75:0] \chain_o$358 ;
-  wire [18:0] \chain_o$358[0] ;
-  wire [18:0] \chain_o$358[1] ;
-  wire [18:0] \chain_o$358[2] ;
-  wire [18:0] \chain_o$358[3] ;
-  wire [75:0] \chain_o$366 ;
-  wire [18:0] \chain_o$366[0] ;
-  wire [18:0] \chain_o$366[1] ;
-  wire [18:0] \chain_o$366[2] ;
-  wire [18:0] \chain_o$366[3] ;
-  wire [75:0] \chain_o$374 ;
-  wire [18:0] \chain_o$374[0] ;
-  wire [18:0] \chain_o$374[1] ;
-  wire [18:0] \chain_o$374[2] ;
-  wire [18:0] \chain_o$374[3] ;
-  wire [75:0] \chain_o$382 ;
-  wire [18:0] \chain_o$382[0] ;
-  wire [18:0] \chain_o$382[1] ;
-  wire [18:0] \chain_o$382[2] ;
-  wire [18:0] \chain_o$382[3] ;
-  wire [75:0] \chain_o$390 ;
-  wire [18:0] \chain_o$390[0] ;
-  wire [18:0] \chain_o$390[1] ;
-  wire [18:0] \chain_o$390[2] ;
-  wire [18:0] \chain_o$390[3] ;
-  wire [75:0] \chain_o$398 ;
-  wire [18:0] \chain_o$398[0] ;
-  wire [18:0] \chain_o$398[1] ;
-  wire [18:0] \chain_o$398[2] ;
-  wire [18:0] \chain_o$398[3] ;
-  wire [75:0] \chain_o$406 ;
-  wire [18:0] \chain_o$406[0] ;
-  wire [18:0] \chain_o$406[1] ;
-  wire [18:0] \chain_o$406[2] ;
-  wire [18:0] \chain_o$406[3] ;
-  wire [75:0] \chain_o$414 ;
-  wire [18:0] \chain_o$414[0] ;
-  wire [18:0] \chain_o$414[1] ;
-  wire [18:0] \chain_o$414[2] ;
-  wire [18:0] \chain_o$414[3] ;
-  wire [75:0] \chain_o$422 ;
-  wire [18:0] \chain_o$422[0] ;
-  wire [18:0] \chain_o$422[1] ;
-  wire [18:0] \chain_o$422[2] ;
-  wire [18:0] \chain_o$422[3] ;
-  wire [75:0] \chain_o$430 ;
-  wire [18:0] \chain_o$430[0] ;
-  wire [18:0] \chain_o$430[1] ;
-  wire [18:0] \chain_o$430[2] ;
-  wire [18:0] \chain_o$430[3] ;
-  wire [75:0] \chain_o$438 ;
-  wire [18:0] \chain_o$438[0] ;
-  wire [18:0] \chain_o$438[1] ;
-  wire [18:0] \chain_o$438[2] ;
-  wire [18:0] \chain_o$438[3] ;
-  wire [75:0] \chain_o$446 ;
-  wire [18:0] \chain_o$446[0] ;
-  wire [18:0] \chain_o$446[1] ;
-  wire [18:0] \chain_o$446[2] ;
-  wire [18:0] \chain_o$446[3] ;
-  wire [75:0] \chain_o$454 ;
-  wire [18:0] \chain_o$454[0] ;
-  wire [18:0] \chain_o$454[1] ;
-  wire [18:0] \chain_o$454[2] ;
-  wire [18:0] \chain_o$454[3] ;
-  wire [75:0] \chain_o$462 ;
-  wire [18:0] \chain_o$462[0] ;
-  wire [18:0] \chain_o$462[1] ;
-  wire [18:0] \chain_o$462[2] ;
-  wire [18:0] \chain_o$462[3] ;
-  wire [75:0] \chain_o$470 ;
-  wire [18:0] \chain_o$470[0] ;
-  wire [18:0] \chain_o$470[1] ;
-  wire [18:0] \chain_o$470[2] ;
-  wire [18:0] \chain_o$470[3] ;
-  wire [75:0] \chain_o$478 ;
-  wire [18:0] \chain_o$478[0] ;
-  wire [18:0] \chain_o$478[1] ;
-  wire [18:0] \chain_o$478[2] ;
-  wire [18:0] \chain_o$478[3] ;
-  wire [75:0] \chain_o$486 ;
-  wire [18:0] \chain_o$486[0] ;
-  wire [18:0] \chain_o$486[1] ;
-  wire [18:0] \chain_o$486[2] ;
-  wire [18:0] \chain_o$486[3] ;
-  wire [75:0] \chain_o$494 ;
-  wire [18:0] \chain_o$494[0] ;
-  wire [18:0] \chain_o$494[1] ;
-  wire [18:0] \chain_o$494[2] ;
-  wire [18:0] \chain_o$494[3] ;
-  wire [75:0] \chain_o$502 ;
-  wire [18:0] \chain_o$502[0] ;
-  wire [18:0] \chain_o$502[1] ;
-  wire [18:0] \chain_o$502[2] ;
-  wire [18:0] \chain_o$502[3] ;
-  wire [75:0] \chain_o$510 ;
-  wire [18:0] \chain_o$510[0] ;
-  wire [18:0] \chain_o$510[1] ;
-  wire [18:0] \chain_o$510[2] ;
-  wire [18:0] \chain_o$510[3] ;
-  wire [75:0] \chain_o$518 ;
-  wire [18:0] \chain_o$518[0] ;
-  wire [18:0] \chain_o$518[1] ;
-  wire [18:0] \chain_o$518[2] ;
-  wire [18:0] \chain_o$518[3] ;
-  wire [75:0] \chain_o$526 ;
-  wire [18:0] \chain_o$526[0] ;
-  wire [18:0] \chain_o$526[1] ;
-  wire [18:0] \chain_o$526[2] ;
-  wire [18:0] \chain_o$526[3] ;
-  wire [75:0] \chain_o$534 ;
-  wire [18:0] \chain_o$534[0] ;
-  wire [18:0] \chain_o$534[1] ;
-  wire [18:0] \chain_o$534[2] ;
-  wire [18:0] \chain_o$534[3] ;
-  wire [75:0] \chain_o$542 ;
-  wire [18:0] \chain_o$542[0] ;
-  wire [18:0] \chain_o$542[1] ;
-  wire [18:0] \chain_o$542[2] ;
-  wire [18:0] \chain_o$542[3] ;
-  wire [75:0] \chain_o$550 ;
-  wire [18:0] \chain_o$550[0] ;
-  wire [18:0] \chain_o$550[1] ;
-  wire [18:0] \chain_o$550[2] ;
-  wire [18:0] \chain_o$550[3] ;
-  wire [75:0] \chain_o$558 ;
-  wire [18:0] \chain_o$558[0] ;
-  wire [18:0] \chain_o$558[1] ;
-  wire [18:0] \chain_o$558[2] ;
-  wire [18:0] \chain_o$558[3] ;
-  wire [75:0] \chain_o$566 ;
-  wire [18:0] \chain_o$566[0] ;
-  wire [18:0] \chain_o$566[1] ;
-  wire [18:0] \chain_o$566[2] ;
-  wire [18:0] \chain_o$566[3] ;
-  wire [75:0] \chain_o$574 ;
-  wire [18:0] \chain_o$574[0] ;
-  wire [18:0] \chain_o$574[1] ;
-  wire [18:0] \chain_o$574[2] ;
-  wire [18:0] \chain_o$574[3] ;
-  wire [75:0] \chain_o$582 ;
-  wire [18:0] \chain_o$582[0] ;
-  wire [18:0] \chain_o$582[1] ;
-  wire [18:0] \chain_o$582[2] ;
-  wire [18:0] \chain_o$582[3] ;
-  wire [75:0] \chain_o$590 ;
-  wire [18:0] \chain_o$590[0] ;
-  wire [18:0] \chain_o$590[1] ;
-  wire [18:0] \chain_o$590[2] ;
-  wire [18:0] \chain_o$590[3] ;
-  wire [75:0] \chain_o$598 ;
-  wire [18:0] \chain_o$598[0] ;
-  wire [18:0] \chain_o$598[1] ;
-  wire [18:0] \chain_o$598[2] ;
-  wire [18:0] \chain_o$598[3] ;
+  wire [75:0] \chain_o$129 ;
+  wire [18:0] \chain_o$129[0] ;
+  wire [18:0] \chain_o$129[1] ;
+  wire [18:0] \chain_o$129[2] ;
+  wire [18:0] \chain_o$129[3] ;
+  wire [75:0] \chain_o$136 ;
+  wire [18:0] \chain_o$136[0] ;
+  wire [18:0] \chain_o$136[1] ;
+  wire [18:0] \chain_o$136[2] ;
+  wire [18:0] \chain_o$136[3] ;
+  wire [75:0] \chain_o$138 ;
+  wire [18:0] \chain_o$138[0] ;
+  wire [18:0] \chain_o$138[1] ;
+  wire [18:0] \chain_o$138[2] ;
+  wire [18:0] \chain_o$138[3] ;
+  wire [75:0] \chain_o$145 ;
+  wire [18:0] \chain_o$145[0] ;
+  wire [18:0] \chain_o$145[1] ;
+  wire [18:0] \chain_o$145[2] ;
+  wire [18:0] \chain_o$145[3] ;
+  wire [75:0] \chain_o$147 ;
+  wire [18:0] \chain_o$147[0] ;
+  wire [18:0] \chain_o$147[1] ;
+  wire [18:0] \chain_o$147[2] ;
+  wire [18:0] \chain_o$147[3] ;
+  wire [75:0] \chain_o$154 ;
+  wire [18:0] \chain_o$154[0] ;
+  wire [18:0] \chain_o$154[1] ;
+  wire [18:0] \chain_o$154[2] ;
+  wire [18:0] \chain_o$154[3] ;
+  wire [75:0] \chain_o$156 ;
+  wire [18:0] \chain_o$156[0] ;
+  wire [18:0] \chain_o$156[1] ;
+  wire [18:0] \chain_o$156[2] ;
+  wire [18:0] \chain_o$156[3] ;
+  wire [75:0] \chain_o$164 ;
+  wire [18:0] \chain_o$164[0] ;
+  wire [18:0] \chain_o$164[1] ;
+  wire [18:0] \chain_o$164[2] ;
+  wire [18:0] \chain_o$164[3] ;
+  wire [75:0] \chain_o$172 ;
+  wire [18:0] \chain_o$172[0] ;
+  wire [18:0] \chain_o$172[1] ;
+  wire [18:0] \chain_o$172[2] ;
+  wire [18:0] \chain_o$172[3] ;
+  wire [75:0] \chain_o$180 ;
+  wire [18:0] \chain_o$180[0] ;
+  wire [18:0] \chain_o$180[1] ;
+  wire [18:0] \chain_o$180[2] ;
+  wire [18:0] \chain_o$180[3] ;
+  wire [75:0] \chain_o$188 ;
+  wire [18:0] \chain_o$188[0] ;
+  wire [18:0] \chain_o$188[1] ;
+  wire [18:0] \chain_o$188[2] ;
+  wire [18:0] \chain_o$188[3] ;
+  wire [75:0] \chain_o$196 ;
+  wire [18:0] \chain_o$196[0] ;
+  wire [18:0] \chain_o$196[1] ;
+  wire [18:0] \chain_o$196[2] ;
+  wire [18:0] \chain_o$196[3] ;
+  wire [75:0] \chain_o$204 ;
+  wire [18:0] \chain_o$204[0] ;
+  wire [18:0] \chain_o$204[1] ;
+  wire [18:0] \chain_o$204[2] ;
+  wire [18:0] \chain_o$204[3] ;
+  wire [75:0] \chain_o$212 ;
+  wire [18:0] \chain_o$212[0] ;
+  wire [18:0] \chain_o$212[1] ;
+  wire [18:0] \chain_o$212[2] ;
+  wire [18:0] \chain_o$212[3] ;
+  wire [75:0] \chain_o$220 ;
+  wire [18:0] \chain_o$220[0] ;
+  wire [18:0] \chain_o$220[1] ;
+  wire [18:0] \chain_o$220[2] ;
+  wire [18:0] \chain_o$220[3] ;
+  wire [75:0] \chain_o$228 ;
+  wire [18:0] \chain_o$228[0] ;
+  wire [18:0] \chain_o$228[1] ;
+  wire [18:0] \chain_o$228[2] ;
+  wire [18:0] \chain_o$228[3] ;
+  wire [75:0] \chain_o$236 ;
+  wire [18:0] \chain_o$236[0] ;
+  wire [18:0] \chain_o$236[1] ;
+  wire [18:0] \chain_o$236[2] ;
+  wire [18:0] \chain_o$236[3] ;
+  wire [75:0] \chain_o$244 ;
+  wire [18:0] \chain_o$244[0] ;
+  wire [18:0] \chain_o$244[1] ;
+  wire [18:0] \chain_o$244[2] ;
+  wire [18:0] \chain_o$244[3] ;
+  wire [75:0] \chain_o$252 ;
+  wire [18:0] \chain_o$252[0] ;
+  wire [18:0] \chain_o$252[1] ;
+  wire [18:0] \chain_o$252[2] ;
+  wire [18:0] \chain_o$252[3] ;
+  wire [75:0] \chain_o$260 ;
+  wire [18:0] \chain_o$260[0] ;
+  wire [18:0] \chain_o$260[1] ;
+  wire [18:0] \chain_o$260[2] ;
+  wire [18:0] \chain_o$260[3] ;
+  wire [75:0] \chain_o$268 ;
+  wire [18:0] \chain_o$268[0] ;
+  wire [18:0] \chain_o$268[1] ;
+  wire [18:0] \chain_o$268[2] ;
+  wire [18:0] \chain_o$268[3] ;
+  wire [75:0] \chain_o$276 ;
+  wire [18:0] \chain_o$276[0] ;
+  wire [18:0] \chain_o$276[1] ;
+  wire [18:0] \chain_o$276[2] ;
+  wire [18:0] \chain_o$276[3] ;
+  wire [75:0] \chain_o$284 ;
+  wire [18:0] \chain_o$284[0] ;
+  wire [18:0] \chain_o$284[1] ;
+  wire [18:0] \chain_o$284[2] ;
+  wire [18:0] \chain_o$284[3] ;
+  wire [75:0] \chain_o$292 ;
+  wire [18:0] \chain_o$292[0] ;
+  wire [18:0] \chain_o$292[1] ;
+  wire [18:0] \chain_o$292[2] ;
+  wire [18:0] \chain_o$292[3] ;
+  wire [75:0] \chain_o$300 ;
+  wire [18:0] \chain_o$300[0] ;
+  wire [18:0] \chain_o$300[1] ;
+  wire [18:0] \chain_o$300[2] ;
+  wire [18:0] \chain_o$300[3] ;
+  wire [75:0] \chain_o$308 ;
+  wire [18:0] \chain_o$308[0] ;
+  wire [18:0] \chain_o$308[1] ;
+  wire [18:0] \chain_o$308[2] ;
+  wire [18:0] \chain_o$308[3] ;
+  wire [75:0] \chain_o$316 ;
+  wire [18:0] \chain_o$316[0] ;
+  wire [18:0] \chain_o$316[1] ;
+  wire [18:0] \chain_o$316[2] ;
+  wire [18:0] \chain_o$316[3] ;
+  wire [75:0] \chain_o$324 ;
+  wire [18:0] \chain_o$324[0] ;
+  wire [18:0] \chain_o$324[1] ;
+  wire [18:0] \chain_o$324[2] ;
+  wire [18:0] \chain_o$324[3] ;
+  wire [75:0] \chain_o$332 ;
+  wire [18:0] \chain_o$332[0] ;
+  wire [18:0] \chain_o$332[1] ;
+  wire [18:0] \chain_o$332[2] ;
+  wire [18:0] \chain_o$332[3] ;
+  wire [75:0] \chain_o$340 ;
+  wire [18:0] \chain_o$340[0] ;
+  wire [18:0] \chain_o$340[1] ;
+  wire [18:0] \chain_o$340[2] ;
+  wire [18:0] \chain_o$340[3] ;
+  wire [75:0] \chain_o$348 ;
+  wire [18:0] \chain_o$348[0] ;
+  wire [18:0] \chain_o$348[1] ;
+  wire [18:0] \chain_o$348[2] ;
+  wire [18:0] \chain_o$348[3] ;
+  wire [75:0] \chain_o$356 ;
+  wire [18:0] \chain_o$356[0] ;
+  wire [18:0] \chain_o$356[1] ;
+  wire [18:0] \chain_o$356[2] ;
+  wire [18:0] \chain_o$356[3] ;
+  wire [75:0] \chain_o$364 ;
+  wire [18:0] \chain_o$364[0] ;
+  wire [18:0] \chain_o$364[1] ;
+  wire [18:0] \chain_o$364[2] ;
+  wire [18:0] \chain_o$364[3] ;
+  wire [75:0] \chain_o$372 ;
+  wire [18:0] \chain_o$372[0] ;
+  wire [18:0] \chain_o$372[1] ;
+  wire [18:0] \chain_o$372[2] ;
+  wire [18:0] \chain_o$372[3] ;
+  wire [75:0] \chain_o$380 ;
+  wire [18:0] \chain_o$380[0] ;
+  wire [18:0] \chain_o$380[1] ;
+  wire [18:0] \chain_o$380[2] ;
+  wire [18:0] \chain_o$380[3] ;
+  wire [75:0] \chain_o$388 ;
+  wire [18:0] \chain_o$388[0] ;
+  wire [18:0] \chain_o$388[1] ;
+  wire [18:0] \chain_o$388[2] ;
+  wire [18:0] \chain_o$388[3] ;
+  wire [75:0] \chain_o$396 ;
+  wire [18:0] \chain_o$396[0] ;
+  wire [18:0] \chain_o$396[1] ;
+  wire [18:0] \chain_o$396[2] ;
+  wire [18:0] \chain_o$396[3] ;
+  wire [75:0] \chain_o$404 ;
+  wire [18:0] \chain_o$404[0] ;
+  wire [18:0] \chain_o$404[1] ;
+  wire [18:0] \chain_o$404[2] ;
+  wire [18:0] \chain_o$404[3] ;
+  wire [75:0] \chain_o$412 ;
+  wire [18:0] \chain_o$412[0] ;
+  wire [18:0] \chain_o$412[1] ;
+  wire [18:0] \chain_o$412[2] ;
+  wire [18:0] \chain_o$412[3] ;
+  wire [75:0] \chain_o$420 ;
+  wire [18:0] \chain_o$420[0] ;
+  wire [18:0] \chain_o$420[1] ;
+  wire [18:0] \chain_o$420[2] ;
+  wire [18:0] \chain_o$420[3] ;
+  wire [75:0] \chain_o$428 ;
+  wire [18:0] \chain_o$428[0] ;
+  wire [18:0] \chain_o$428[1] ;
+  wire [18:0] \chain_o$428[2] ;
+  wire [18:0] \chain_o$428[3] ;
+  wire [75:0] \chain_o$436 ;
+  wire [18:0] \chain_o$436[0] ;
+  wire [18:0] \chain_o$436[1] ;
+  wire [18:0] \chain_o$436[2] ;
+  wire [18:0] \chain_o$436[3] ;
+  wire [75:0] \chain_o$444 ;
+  wire [18:0] \chain_o$444[0] ;
+  wire [18:0] \chain_o$444[1] ;
+  wire [18:0] \chain_o$444[2] ;
+  wire [18:0] \chain_o$444[3] ;
+  wire [75:0] \chain_o$452 ;
+  wire [18:0] \chain_o$452[0] ;
+  wire [18:0] \chain_o$452[1] ;
+  wire [18:0] \chain_o$452[2] ;
+  wire [18:0] \chain_o$452[3] ;
+  wire [75:0] \chain_o$460 ;
+  wire [18:0] \chain_o$460[0] ;
+  wire [18:0] \chain_o$460[1] ;
+  wire [18:0] \chain_o$460[2] ;
+  wire [18:0] \chain_o$460[3] ;
+  wire [75:0] \chain_o$468 ;
+  wire [18:0] \chain_o$468[0] ;
+  wire [18:0] \chain_o$468[1] ;
+  wire [18:0] \chain_o$468[2] ;
+  wire [18:0] \chain_o$468[3] ;
+  wire [75:0] \chain_o$476 ;
+  wire [18:0] \chain_o$476[0] ;
+  wire [18:0] \chain_o$476[1] ;
+  wire [18:0] \chain_o$476[2] ;
+  wire [18:0] \chain_o$476[3] ;
+  wire [75:0] \chain_o$484 ;
+  wire [18:0] \chain_o$484[0] ;
+  wire [18:0] \chain_o$484[1] ;
+  wire [18:0] \chain_o$484[2] ;
+  wire [18:0] \chain_o$484[3] ;
+  wire [75:0] \chain_o$492 ;
+  wire [18:0] \chain_o$492[0] ;
+  wire [18:0] \chain_o$492[1] ;
+  wire [18:0] \chain_o$492[2] ;
+  wire [18:0] \chain_o$492[3] ;
+  wire [75:0] \chain_o$500 ;
+  wire [18:0] \chain_o$500[0] ;
+  wire [18:0] \chain_o$500[1] ;
+  wire [18:0] \chain_o$500[2] ;
+  wire [18:0] \chain_o$500[3] ;
+  wire [75:0] \chain_o$508 ;
+  wire [18:0] \chain_o$508[0] ;
+  wire [18:0] \chain_o$508[1] ;
+  wire [18:0] \chain_o$508[2] ;
+  wire [18:0] \chain_o$508[3] ;
+  wire [75:0] \chain_o$516 ;
+  wire [18:0] \chain_o$516[0] ;
+  wire [18:0] \chain_o$516[1] ;
+  wire [18:0] \chain_o$516[2] ;
+  wire [18:0] \chain_o$516[3] ;
+  wire [75:0] \chain_o$524 ;
+  wire [18:0] \chain_o$524[0] ;
+  wire [18:0] \chain_o$524[1] ;
+  wire [18:0] \chain_o$524[2] ;
+  wire [18:0] \chain_o$524[3] ;
+  wire [75:0] \chain_o$532 ;
+  wire [18:0] \chain_o$532[0] ;
+  wire [18:0] \chain_o$532[1] ;
+  wire [18:0] \chain_o$532[2] ;
+  wire [18:0] \chain_o$532[3] ;
+  wire [75:0] \chain_o$540 ;
+  wire [18:0] \chain_o$540[0] ;
+  wire [18:0] \chain_o$540[1] ;
+  wire [18:0] \chain_o$540[2] ;
+  wire [18:0] \chain_o$540[3] ;
+  wire [75:0] \chain_o$548 ;
+  wire [18:0] \chain_o$548[0] ;
+  wire [18:0] \chain_o$548[1] ;
+  wire [18:0] \chain_o$548[2] ;
+  wire [18:0] \chain_o$548[3] ;
+  wire [75:0] \chain_o$556 ;
+  wire [18:0] \chain_o$556[0] ;
+  wire [18:0] \chain_o$556[1] ;
+  wire [18:0] \chain_o$556[2] ;
+  wire [18:0] \chain_o$556[3] ;
+  wire [75:0] \chain_o$564 ;
+  wire [18:0] \chain_o$564[0] ;
+  wire [18:0] \chain_o$564[1] ;
+  wire [18:0] \chain_o$564[2] ;
+  wire [18:0] \chain_o$564[3] ;
+  wire [75:0] \chain_o$572 ;
+  wire [18:0] \chain_o$572[0] ;
+  wire [18:0] \chain_o$572[1] ;
+  wire [18:0] \chain_o$572[2] ;
+  wire [18:0] \chain_o$572[3] ;
+  wire [75:0] \chain_o$580 ;
+  wire [18:0] \chain_o$580[0] ;
+  wire [18:0] \chain_o$580[1] ;
+  wire [18:0] \chain_o$580[2] ;
+  wire [18:0] \chain_o$580[3] ;
+  wire [75:0] \chain_o$588 ;
+  wire [18:0] \chain_o$588[0] ;
+  wire [18:0] \chain_o$588[1] ;
+  wire [18:0] \chain_o$588[2] ;
+  wire [18:0] \chain_o$588[3] ;
+  wire [75:0] \chain_o$596 ;
+  wire [18:0] \chain_o$596[0] ;
+  wire [18:0] \chain_o$596[1] ;
+  wire [18:0] \chain_o$596[2] ;
+  wire [18:0] \chain_o$596[3] ;
+  wire [75:0] \chain_o$604 ;
+  wire [18:0] \chain_o$604[0] ;
+  wire [18:0] \chain_o$604[1] ;
+  wire [18:0] \chain_o$604[2] ;
+  wire [18:0] \chain_o$604[3] ;
   wire [18:0] \chain_o[0] ;
   wire [18:0] \chain_o[1] ;
   wire [18:0] \chain_o[2] ;
@@ -1153,428 +1157,420 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   input clk;
   wire clk;
   wire [2:0] command;
+  reg [7:0] control = 8'h00;
   (* init = 8'h00 *)
-  wire [7:0] control;
+  wire [7:0] \control$134 ;
+  wire \control$134.edge ;
+  wire \control$134.en ;
+  wire \control$134.first ;
+  wire \control$134.last ;
+  wire [3:0] \control$134.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$128 ;
-  wire \control$128.edge ;
-  wire \control$128.en ;
-  wire \control$128.first ;
-  wire \control$128.last ;
-  wire [3:0] \control$128.tile ;
+  wire [7:0] \control$143 ;
+  wire \control$143.edge ;
+  wire \control$143.en ;
+  wire \control$143.first ;
+  wire \control$143.last ;
+  wire [3:0] \control$143.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$137 ;
-  wire \control$137.edge ;
-  wire \control$137.en ;
-  wire \control$137.first ;
-  wire \control$137.last ;
-  wire [3:0] \control$137.tile ;
+  wire [7:0] \control$152 ;
+  wire \control$152.edge ;
+  wire \control$152.en ;
+  wire \control$152.first ;
+  wire \control$152.last ;
+  wire [3:0] \control$152.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$146 ;
-  wire \control$146.edge ;
-  wire \control$146.en ;
-  wire \control$146.first ;
-  wire \control$146.last ;
-  wire [3:0] \control$146.tile ;
+  wire [7:0] \control$161 ;
+  wire \control$161.edge ;
+  wire \control$161.en ;
+  wire \control$161.first ;
+  wire \control$161.last ;
+  wire [3:0] \control$161.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$155 ;
-  wire \control$155.edge ;
-  wire \control$155.en ;
-  wire \control$155.first ;
-  wire \control$155.last ;
-  wire [3:0] \control$155.tile ;
+  wire [7:0] \control$169 ;
+  wire \control$169.edge ;
+  wire \control$169.en ;
+  wire \control$169.first ;
+  wire \control$169.last ;
+  wire [3:0] \control$169.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$163 ;
-  wire \control$163.edge ;
-  wire \control$163.en ;
-  wire \control$163.first ;
-  wire \control$163.last ;
-  wire [3:0] \control$163.tile ;
+  wire [7:0] \control$177 ;
+  wire \control$177.edge ;
+  wire \control$177.en ;
+  wire \control$177.first ;
+  wire \control$177.last ;
+  wire [3:0] \control$177.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$171 ;
-  wire \control$171.edge ;
-  wire \control$171.en ;
-  wire \control$171.first ;
-  wire \control$171.last ;
-  wire [3:0] \control$171.tile ;
+  wire [7:0] \control$185 ;
+  wire \control$185.edge ;
+  wire \control$185.en ;
+  wire \control$185.first ;
+  wire \control$185.last ;
+  wire [3:0] \control$185.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$179 ;
-  wire \control$179.edge ;
-  wire \control$179.en ;
-  wire \control$179.first ;
-  wire \control$179.last ;
-  wire [3:0] \control$179.tile ;
+  wire [7:0] \control$193 ;
+  wire \control$193.edge ;
+  wire \control$193.en ;
+  wire \control$193.first ;
+  wire \control$193.last ;
+  wire [3:0] \control$193.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$187 ;
-  wire \control$187.edge ;
-  wire \control$187.en ;
-  wire \control$187.first ;
-  wire \control$187.last ;
-  wire [3:0] \control$187.tile ;
+  wire [7:0] \control$201 ;
+  wire \control$201.edge ;
+  wire \control$201.en ;
+  wire \control$201.first ;
+  wire \control$201.last ;
+  wire [3:0] \control$201.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$195 ;
-  wire \control$195.edge ;
-  wire \control$195.en ;
-  wire \control$195.first ;
-  wire \control$195.last ;
-  wire [3:0] \control$195.tile ;
+  wire [7:0] \control$209 ;
+  wire \control$209.edge ;
+  wire \control$209.en ;
+  wire \control$209.first ;
+  wire \control$209.last ;
+  wire [3:0] \control$209.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$203 ;
-  wire \control$203.edge ;
-  wire \control$203.en ;
-  wire \control$203.first ;
-  wire \control$203.last ;
-  wire [3:0] \control$203.tile ;
+  wire [7:0] \control$217 ;
+  wire \control$217.edge ;
+  wire \control$217.en ;
+  wire \control$217.first ;
+  wire \control$217.last ;
+  wire [3:0] \control$217.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$211 ;
-  wire \control$211.edge ;
-  wire \control$211.en ;
-  wire \control$211.first ;
-  wire \control$211.last ;
-  wire [3:0] \control$211.tile ;
+  wire [7:0] \control$225 ;
+  wire \control$225.edge ;
+  wire \control$225.en ;
+  wire \control$225.first ;
+  wire \control$225.last ;
+  wire [3:0] \control$225.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$219 ;
-  wire \control$219.edge ;
-  wire \control$219.en ;
-  wire \control$219.first ;
-  wire \control$219.last ;
-  wire [3:0] \control$219.tile ;
+  wire [7:0] \control$233 ;
+  wire \control$233.edge ;
+  wire \control$233.en ;
+  wire \control$233.first ;
+  wire \control$233.last ;
+  wire [3:0] \control$233.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$227 ;
-  wire \control$227.edge ;
-  wire \control$227.en ;
-  wire \control$227.first ;
-  wire \control$227.last ;
-  wire [3:0] \control$227.tile ;
+  wire [7:0] \control$241 ;
+  wire \control$241.edge ;
+  wire \control$241.en ;
+  wire \control$241.first ;
+  wire \control$241.last ;
+  wire [3:0] \control$241.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$235 ;
-  wire \control$235.edge ;
-  wire \control$235.en ;
-  wire \control$235.first ;
-  wire \control$235.last ;
-  wire [3:0] \control$235.tile ;
+  wire [7:0] \control$249 ;
+  wire \control$249.edge ;
+  wire \control$249.en ;
+  wire \control$249.first ;
+  wire \control$249.last ;
+  wire [3:0] \control$249.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$243 ;
-  wire \control$243.edge ;
-  wire \control$243.en ;
-  wire \control$243.first ;
-  wire \control$243.last ;
-  wire [3:0] \control$243.tile ;
+  wire [7:0] \control$257 ;
+  wire \control$257.edge ;
+  wire \control$257.en ;
+  wire \control$257.first ;
+  wire \control$257.last ;
+  wire [3:0] \control$257.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$251 ;
-  wire \control$251.edge ;
-  wire \control$251.en ;
-  wire \control$251.first ;
-  wire \control$251.last ;
-  wire [3:0] \control$251.tile ;
+  wire [7:0] \control$265 ;
+  wire \control$265.edge ;
+  wire \control$265.en ;
+  wire \control$265.first ;
+  wire \control$265.last ;
+  wire [3:0] \control$265.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$259 ;
-  wire \control$259.edge ;
-  wire \control$259.en ;
-  wire \control$259.first ;
-  wire \control$259.last ;
-  wire [3:0] \control$259.tile ;
+  wire [7:0] \control$273 ;
+  wire \control$273.edge ;
+  wire \control$273.en ;
+  wire \control$273.first ;
+  wire \control$273.last ;
+  wire [3:0] \control$273.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$267 ;
-  wire \control$267.edge ;
-  wire \control$267.en ;
-  wire \control$267.first ;
-  wire \control$267.last ;
-  wire [3:0] \control$267.tile ;
+  wire [7:0] \control$281 ;
+  wire \control$281.edge ;
+  wire \control$281.en ;
+  wire \control$281.first ;
+  wire \control$281.last ;
+  wire [3:0] \control$281.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$275 ;
-  wire \control$275.edge ;
-  wire \control$275.en ;
-  wire \control$275.first ;
-  wire \control$275.last ;
-  wire [3:0] \control$275.tile ;
+  wire [7:0] \control$289 ;
+  wire \control$289.edge ;
+  wire \control$289.en ;
+  wire \control$289.first ;
+  wire \control$289.last ;
+  wire [3:0] \control$289.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$283 ;
-  wire \control$283.edge ;
-  wire \control$283.en ;
-  wire \control$283.first ;
-  wire \control$283.last ;
-  wire [3:0] \control$283.tile ;
+  wire [7:0] \control$297 ;
+  wire \control$297.edge ;
+  wire \control$297.en ;
+  wire \control$297.first ;
+  wire \control$297.last ;
+  wire [3:0] \control$297.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$291 ;
-  wire \control$291.edge ;
-  wire \control$291.en ;
-  wire \control$291.first ;
-  wire \control$291.last ;
-  wire [3:0] \control$291.tile ;
+  wire [7:0] \control$305 ;
+  wire \control$305.edge ;
+  wire \control$305.en ;
+  wire \control$305.first ;
+  wire \control$305.last ;
+  wire [3:0] \control$305.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$299 ;
-  wire \control$299.edge ;
-  wire \control$299.en ;
-  wire \control$299.first ;
-  wire \control$299.last ;
-  wire [3:0] \control$299.tile ;
+  wire [7:0] \control$313 ;
+  wire \control$313.edge ;
+  wire \control$313.en ;
+  wire \control$313.first ;
+  wire \control$313.last ;
+  wire [3:0] \control$313.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$307 ;
-  wire \control$307.edge ;
-  wire \control$307.en ;
-  wire \control$307.first ;
-  wire \control$307.last ;
-  wire [3:0] \control$307.tile ;
+  wire [7:0] \control$321 ;
+  wire \control$321.edge ;
+  wire \control$321.en ;
+  wire \control$321.first ;
+  wire \control$321.last ;
+  wire [3:0] \control$321.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$315 ;
-  wire \control$315.edge ;
-  wire \control$315.en ;
-  wire \control$315.first ;
-  wire \control$315.last ;
-  wire [3:0] \control$315.tile ;
+  wire [7:0] \control$329 ;
+  wire \control$329.edge ;
+  wire \control$329.en ;
+  wire \control$329.first ;
+  wire \control$329.last ;
+  wire [3:0] \control$329.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$323 ;
-  wire \control$323.edge ;
-  wire \control$323.en ;
-  wire \control$323.first ;
-  wire \control$323.last ;
-  wire [3:0] \control$323.tile ;
+  wire [7:0] \control$337 ;
+  wire \control$337.edge ;
+  wire \control$337.en ;
+  wire \control$337.first ;
+  wire \control$337.last ;
+  wire [3:0] \control$337.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$331 ;
-  wire \control$331.edge ;
-  wire \control$331.en ;
-  wire \control$331.first ;
-  wire \control$331.last ;
-  wire [3:0] \control$331.tile ;
+  wire [7:0] \control$345 ;
+  wire \control$345.edge ;
+  wire \control$345.en ;
+  wire \control$345.first ;
+  wire \control$345.last ;
+  wire [3:0] \control$345.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$339 ;
-  wire \control$339.edge ;
-  wire \control$339.en ;
-  wire \control$339.first ;
-  wire \control$339.last ;
-  wire [3:0] \control$339.tile ;
+  wire [7:0] \control$353 ;
+  wire \control$353.edge ;
+  wire \control$353.en ;
+  wire \control$353.first ;
+  wire \control$353.last ;
+  wire [3:0] \control$353.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$347 ;
-  wire \control$347.edge ;
-  wire \control$347.en ;
-  wire \control$347.first ;
-  wire \control$347.last ;
-  wire [3:0] \control$347.tile ;
+  wire [7:0] \control$361 ;
+  wire \control$361.edge ;
+  wire \control$361.en ;
+  wire \control$361.first ;
+  wire \control$361.last ;
+  wire [3:0] \control$361.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$355 ;
-  wire \control$355.edge ;
-  wire \control$355.en ;
-  wire \control$355.first ;
-  wire \control$355.last ;
-  wire [3:0] \control$355.tile ;
+  wire [7:0] \control$369 ;
+  wire \control$369.edge ;
+  wire \control$369.en ;
+  wire \control$369.first ;
+  wire \control$369.last ;
+  wire [3:0] \control$369.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$363 ;
-  wire \control$363.edge ;
-  wire \control$363.en ;
-  wire \control$363.first ;
-  wire \control$363.last ;
-  wire [3:0] \control$363.tile ;
+  wire [7:0] \control$377 ;
+  wire \control$377.edge ;
+  wire \control$377.en ;
+  wire \control$377.first ;
+  wire \control$377.last ;
+  wire [3:0] \control$377.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$371 ;
-  wire \control$371.edge ;
-  wire \control$371.en ;
-  wire \control$371.first ;
-  wire \control$371.last ;
-  wire [3:0] \control$371.tile ;
+  wire [7:0] \control$385 ;
+  wire \control$385.edge ;
+  wire \control$385.en ;
+  wire \control$385.first ;
+  wire \control$385.last ;
+  wire [3:0] \control$385.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$379 ;
-  wire \control$379.edge ;
-  wire \control$379.en ;
-  wire \control$379.first ;
-  wire \control$379.last ;
-  wire [3:0] \control$379.tile ;
+  wire [7:0] \control$393 ;
+  wire \control$393.edge ;
+  wire \control$393.en ;
+  wire \control$393.first ;
+  wire \control$393.last ;
+  wire [3:0] \control$393.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$387 ;
-  wire \control$387.edge ;
-  wire \control$387.en ;
-  wire \control$387.first ;
-  wire \control$387.last ;
-  wire [3:0] \control$387.tile ;
+  wire [7:0] \control$401 ;
+  wire \control$401.edge ;
+  wire \control$401.en ;
+  wire \control$401.first ;
+  wire \control$401.last ;
+  wire [3:0] \control$401.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$395 ;
-  wire \control$395.edge ;
-  wire \control$395.en ;
-  wire \control$395.first ;
-  wire \control$395.last ;
-  wire [3:0] \control$395.tile ;
+  wire [7:0] \control$409 ;
+  wire \control$409.edge ;
+  wire \control$409.en ;
+  wire \control$409.first ;
+  wire \control$409.last ;
+  wire [3:0] \control$409.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$403 ;
-  wire \control$403.edge ;
-  wire \control$403.en ;
-  wire \control$403.first ;
-  wire \control$403.last ;
-  wire [3:0] \control$403.tile ;
+  wire [7:0] \control$417 ;
+  wire \control$417.edge ;
+  wire \control$417.en ;
+  wire \control$417.first ;
+  wire \control$417.last ;
+  wire [3:0] \control$417.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$411 ;
-  wire \control$411.edge ;
-  wire \control$411.en ;
-  wire \control$411.first ;
-  wire \control$411.last ;
-  wire [3:0] \control$411.tile ;
+  wire [7:0] \control$425 ;
+  wire \control$425.edge ;
+  wire \control$425.en ;
+  wire \control$425.first ;
+  wire \control$425.last ;
+  wire [3:0] \control$425.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$419 ;
-  wire \control$419.edge ;
-  wire \control$419.en ;
-  wire \control$419.first ;
-  wire \control$419.last ;
-  wire [3:0] \control$419.tile ;
+  wire [7:0] \control$433 ;
+  wire \control$433.edge ;
+  wire \control$433.en ;
+  wire \control$433.first ;
+  wire \control$433.last ;
+  wire [3:0] \control$433.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$427 ;
-  wire \control$427.edge ;
-  wire \control$427.en ;
-  wire \control$427.first ;
-  wire \control$427.last ;
-  wire [3:0] \control$427.tile ;
+  wire [7:0] \control$441 ;
+  wire \control$441.edge ;
+  wire \control$441.en ;
+  wire \control$441.first ;
+  wire \control$441.last ;
+  wire [3:0] \control$441.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$435 ;
-  wire \control$435.edge ;
-  wire \control$435.en ;
-  wire \control$435.first ;
-  wire \control$435.last ;
-  wire [3:0] \control$435.tile ;
+  wire [7:0] \control$449 ;
+  wire \control$449.edge ;
+  wire \control$449.en ;
+  wire \control$449.first ;
+  wire \control$449.last ;
+  wire [3:0] \control$449.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$443 ;
-  wire \control$443.edge ;
-  wire \control$443.en ;
-  wire \control$443.first ;
-  wire \control$443.last ;
-  wire [3:0] \control$443.tile ;
+  wire [7:0] \control$457 ;
+  wire \control$457.edge ;
+  wire \control$457.en ;
+  wire \control$457.first ;
+  wire \control$457.last ;
+  wire [3:0] \control$457.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$451 ;
-  wire \control$451.edge ;
-  wire \control$451.en ;
-  wire \control$451.first ;
-  wire \control$451.last ;
-  wire [3:0] \control$451.tile ;
+  wire [7:0] \control$465 ;
+  wire \control$465.edge ;
+  wire \control$465.en ;
+  wire \control$465.first ;
+  wire \control$465.last ;
+  wire [3:0] \control$465.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$459 ;
-  wire \control$459.edge ;
-  wire \control$459.en ;
-  wire \control$459.first ;
-  wire \control$459.last ;
-  wire [3:0] \control$459.tile ;
+  wire [7:0] \control$473 ;
+  wire \control$473.edge ;
+  wire \control$473.en ;
+  wire \control$473.first ;
+  wire \control$473.last ;
+  wire [3:0] \control$473.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$467 ;
-  wire \control$467.edge ;
-  wire \control$467.en ;
-  wire \control$467.first ;
-  wire \control$467.last ;
-  wire [3:0] \control$467.tile ;
+  wire [7:0] \control$481 ;
+  wire \control$481.edge ;
+  wire \control$481.en ;
+  wire \control$481.first ;
+  wire \control$481.last ;
+  wire [3:0] \control$481.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$475 ;
-  wire \control$475.edge ;
-  wire \control$475.en ;
-  wire \control$475.first ;
-  wire \control$475.last ;
-  wire [3:0] \control$475.tile ;
+  wire [7:0] \control$489 ;
+  wire \control$489.edge ;
+  wire \control$489.en ;
+  wire \control$489.first ;
+  wire \control$489.last ;
+  wire [3:0] \control$489.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$483 ;
-  wire \control$483.edge ;
-  wire \control$483.en ;
-  wire \control$483.first ;
-  wire \control$483.last ;
-  wire [3:0] \control$483.tile ;
+  wire [7:0] \control$497 ;
+  wire \control$497.edge ;
+  wire \control$497.en ;
+  wire \control$497.first ;
+  wire \control$497.last ;
+  wire [3:0] \control$497.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$491 ;
-  wire \control$491.edge ;
-  wire \control$491.en ;
-  wire \control$491.first ;
-  wire \control$491.last ;
-  wire [3:0] \control$491.tile ;
+  wire [7:0] \control$505 ;
+  wire \control$505.edge ;
+  wire \control$505.en ;
+  wire \control$505.first ;
+  wire \control$505.last ;
+  wire [3:0] \control$505.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$499 ;
-  wire \control$499.edge ;
-  wire \control$499.en ;
-  wire \control$499.first ;
-  wire \control$499.last ;
-  wire [3:0] \control$499.tile ;
+  wire [7:0] \control$513 ;
+  wire \control$513.edge ;
+  wire \control$513.en ;
+  wire \control$513.first ;
+  wire \control$513.last ;
+  wire [3:0] \control$513.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$507 ;
-  wire \control$507.edge ;
-  wire \control$507.en ;
-  wire \control$507.first ;
-  wire \control$507.last ;
-  wire [3:0] \control$507.tile ;
+  wire [7:0] \control$521 ;
+  wire \control$521.edge ;
+  wire \control$521.en ;
+  wire \control$521.first ;
+  wire \control$521.last ;
+  wire [3:0] \control$521.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$515 ;
-  wire \control$515.edge ;
-  wire \control$515.en ;
-  wire \control$515.first ;
-  wire \control$515.last ;
-  wire [3:0] \control$515.tile ;
+  wire [7:0] \control$529 ;
+  wire \control$529.edge ;
+  wire \control$529.en ;
+  wire \control$529.first ;
+  wire \control$529.last ;
+  wire [3:0] \control$529.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$523 ;
-  wire \control$523.edge ;
-  wire \control$523.en ;
-  wire \control$523.first ;
-  wire \control$523.last ;
-  wire [3:0] \control$523.tile ;
+  wire [7:0] \control$537 ;
+  wire \control$537.edge ;
+  wire \control$537.en ;
+  wire \control$537.first ;
+  wire \control$537.last ;
+  wire [3:0] \control$537.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$531 ;
-  wire \control$531.edge ;
-  wire \control$531.en ;
-  wire \control$531.first ;
-  wire \control$531.last ;
-  wire [3:0] \control$531.tile ;
+  wire [7:0] \control$545 ;
+  wire \control$545.edge ;
+  wire \control$545.en ;
+  wire \control$545.first ;
+  wire \control$545.last ;
+  wire [3:0] \control$545.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$539 ;
-  wire \control$539.edge ;
-  wire \control$539.en ;
-  wire \control$539.first ;
-  wire \control$539.last ;
-  wire [3:0] \control$539.tile ;
+  wire [7:0] \control$553 ;
+  wire \control$553.edge ;
+  wire \control$553.en ;
+  wire \control$553.first ;
+  wire \control$553.last ;
+  wire [3:0] \control$553.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$547 ;
-  wire \control$547.edge ;
-  wire \control$547.en ;
-  wire \control$547.first ;
-  wire \control$547.last ;
-  wire [3:0] \control$547.tile ;
+  wire [7:0] \control$561 ;
+  wire \control$561.edge ;
+  wire \control$561.en ;
+  wire \control$561.first ;
+  wire \control$561.last ;
+  wire [3:0] \control$561.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$555 ;
-  wire \control$555.edge ;
-  wire \control$555.en ;
-  wire \control$555.first ;
-  wire \control$555.last ;
-  wire [3:0] \control$555.tile ;
+  wire [7:0] \control$569 ;
+  wire \control$569.edge ;
+  wire \control$569.en ;
+  wire \control$569.first ;
+  wire \control$569.last ;
+  wire [3:0] \control$569.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$563 ;
-  wire \control$563.edge ;
-  wire \control$563.en ;
-  wire \control$563.first ;
-  wire \control$563.last ;
-  wire [3:0] \control$563.tile ;
+  wire [7:0] \control$577 ;
+  wire \control$577.edge ;
+  wire \control$577.en ;
+  wire \control$577.first ;
+  wire \control$577.last ;
+  wire [3:0] \control$577.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$571 ;
-  wire \control$571.edge ;
-  wire \control$571.en ;
-  wire \control$571.first ;
-  wire \control$571.last ;
-  wire [3:0] \control$571.tile ;
+  wire [7:0] \control$585 ;
+  wire \control$585.edge ;
+  wire \control$585.en ;
+  wire \control$585.first ;
+  wire \control$585.last ;
+  wire [3:0] \control$585.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$579 ;
-  wire \control$579.edge ;
-  wire \control$579.en ;
-  wire \control$579.first ;
-  wire \control$579.last ;
-  wire [3:0] \control$579.tile ;
+  wire [7:0] \control$593 ;
+  wire \control$593.edge ;
+  wire \control$593.en ;
+  wire \control$593.first ;
+  wire \control$593.last ;
+  wire [3:0] \control$593.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$587 ;
-  wire \control$587.edge ;
-  wire \control$587.en ;
-  wire \control$587.first ;
-  wire \control$587.last ;
-  wire [3:0] \control$587.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$595 ;
-  wire \control$595.edge ;
-  wire \control$595.en ;
-  wire \control$595.first ;
-  wire \control$595.last ;
-  wire [3:0] \control$595.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$603 ;
-  wire \control$603.edge ;
-  wire \control$603.en ;
-  wire \control$603.first ;
-  wire \control$603.last ;
-  wire [3:0] \control$603.tile ;
+  wire [7:0] \control$601 ;
+  wire \control$601.edge ;
+  wire \control$601.en ;
+  wire \control$601.first ;
+  wire \control$601.last ;
+  wire [3:0] \control$601.tile ;
   (* init = 8'h00 *)
   wire [7:0] \control$609 ;
   wire \control$609.edge ;
@@ -1596,6 +1592,13 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire \control$621.first ;
   wire \control$621.last ;
   wire [3:0] \control$621.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$627 ;
+  wire \control$627.edge ;
+  wire \control$627.en ;
+  wire \control$627.first ;
+  wire \control$627.last ;
+  wire [3:0] \control$627.tile ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
@@ -1613,7 +1616,8 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire \control1.first ;
   wire \control1.last ;
   wire [3:0] \control1.tile ;
-  reg [7:0] control2 = 8'h00;
+  (* init = 8'h00 *)
+  wire [7:0] control2;
   wire \control2.edge ;
   wire \control2.en ;
   wire \control2.first ;
@@ -1626,7 +1630,7 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire \control3.last ;
   wire [3:0] \control3.tile ;
   wire credit;
-  wire \credit$101 ;
+  wire \credit$106 ;
   output [31:0] cycles;
   reg [31:0] cycles = 32'd0;
   reg delivered = 1'h0;
@@ -1652,8 +1656,8 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
   (* enum_value_110 = "BAD_RANGE" *)
-  output [2:0] \error$633 ;
-  reg [2:0] \error$633  = 3'h0;
+  output [2:0] \error$638 ;
+  reg [2:0] \error$638  = 3'h0;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -1662,7 +1666,7 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
   (* enum_value_110 = "BAD_RANGE" *)
-  wire [2:0] \error$636 ;
+  wire [2:0] \error$641 ;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -1671,15 +1675,16 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
   (* enum_value_110 = "BAD_RANGE" *)
-  wire [2:0] \error$637 ;
+  wire [2:0] \error$642 ;
   wire fault;
-  wire \fault$635 ;
+  wire \fault$640 ;
   output [31:0] fill_cycles;
   reg [31:0] fill_cycles = 32'd0;
   wire finished;
+  wire first_beat;
   wire flushing;
   wire group_written;
-  wire \group_written$97 ;
+  wire \group_written$102 ;
   wire [303:0] heads;
   wire [75:0] \heads[0] ;
   wire [18:0] \heads[0][0] ;
@@ -1703,42 +1708,43 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire [18:0] \heads[3][3] ;
   input [31:0] height;
   wire [31:0] height;
-  wire [31:0] \height$1 ;
-  input [64:0] i__payload;
-  wire [64:0] i__payload;
-  wire [64:0] \i__payload$42 ;
-  wire [63:0] \i__payload$42.data ;
-  wire \i__payload$42.last ;
-  wire [63:0] \i__payload$47 ;
-  wire [47:0] \i__payload$53 ;
-  wire [49:0] \i__payload$59 ;
-  wire [47:0] \i__payload$59.data ;
-  wire \i__payload$59.last ;
-  wire \i__payload$59.pixel_last ;
-  input [64:0] \i__payload$71 ;
-  wire [64:0] \i__payload$71 ;
-  wire [63:0] \i__payload$71.data ;
-  wire \i__payload$71.last ;
-  wire [63:0] \i__payload.data ;
+  wire [31:0] \height$13 ;
+  wire [15:0] \height$85 ;
+  wire [49:0] i__payload;
+  input [64:0] \i__payload$53 ;
+  wire [64:0] \i__payload$53 ;
+  wire [63:0] \i__payload$53.data ;
+  wire \i__payload$53.last ;
+  wire [64:0] \i__payload$54 ;
+  wire [63:0] \i__payload$54.data ;
+  wire \i__payload$54.last ;
+  wire [63:0] \i__payload$59 ;
+  wire [47:0] \i__payload$65 ;
+  input [64:0] \i__payload$74 ;
+  wire [64:0] \i__payload$74 ;
+  wire [63:0] \i__payload$74.data ;
+  wire \i__payload$74.last ;
+  wire [47:0] \i__payload.data ;
   wire \i__payload.last ;
-  output i__ready;
+  wire \i__payload.pixel_last ;
   wire i__ready;
-  wire \i__ready$44 ;
-  wire \i__ready$50 ;
+  output \i__ready$55 ;
+  wire \i__ready$55 ;
   wire \i__ready$56 ;
   wire \i__ready$62 ;
-  wire \i__ready$74 ;
-  input i__valid;
+  wire \i__ready$68 ;
+  wire \i__ready$77 ;
   wire i__valid;
-  wire \i__valid$46 ;
-  wire \i__valid$51 ;
+  input \i__valid$57 ;
   wire \i__valid$57 ;
+  wire \i__valid$58 ;
   wire \i__valid$63 ;
-  input \i__valid$75 ;
-  wire \i__valid$75 ;
+  wire \i__valid$69 ;
+  input \i__valid$78 ;
+  wire \i__valid$78 ;
   wire idle;
   wire image_written;
-  wire \image_written$99 ;
+  wire \image_written$104 ;
   reg [10:0] info = 11'h000;
   wire \info.edge ;
   wire \info.image_last ;
@@ -1774,6 +1780,8 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   reg [31:0] input_stalls = 32'd0;
   wire issue;
   wire last_beat;
+  wire last_beat0;
+  reg last_beat_gone0 = 1'h0;
   wire [32:0] load_end;
   output loading;
   wire loading;
@@ -1781,32 +1789,32 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   reg [31:0] mac_cycles = 32'd0;
   input [31:0] mode;
   wire [31:0] mode;
-  wire [31:0] \mode$9 ;
-  wire [63:0] o__payload;
-  wire [47:0] \o__payload$54 ;
-  wire [49:0] \o__payload$60 ;
-  wire [47:0] \o__payload$60.data ;
-  wire \o__payload$60.last ;
-  wire \o__payload$60.pixel_last ;
-  output [64:0] \o__payload$65 ;
-  wire [64:0] \o__payload$65 ;
-  wire [63:0] \o__payload$65.data ;
-  wire \o__payload$65.last ;
-  wire [64:0] \o__payload$66 ;
-  wire [63:0] \o__payload$66.data ;
-  wire \o__payload$66.last ;
+  wire [31:0] \mode$21 ;
+  wire [49:0] o__payload;
+  wire [63:0] \o__payload$60 ;
+  wire [47:0] \o__payload$66 ;
+  wire [64:0] \o__payload$71 ;
+  wire [63:0] \o__payload$71.data ;
+  wire \o__payload$71.last ;
+  output [64:0] \o__payload$9 ;
+  wire [64:0] \o__payload$9 ;
+  wire [63:0] \o__payload$9.data ;
+  wire \o__payload$9.last ;
+  wire [47:0] \o__payload.data ;
+  wire \o__payload.last ;
+  wire \o__payload.pixel_last ;
   wire o__ready;
-  wire \o__ready$55 ;
   wire \o__ready$61 ;
-  input \o__ready$67 ;
   wire \o__ready$67 ;
-  wire \o__ready$68 ;
+  wire \o__ready$72 ;
+  input \o__ready$8 ;
+  wire \o__ready$8 ;
   wire o__valid;
-  wire \o__valid$58 ;
   wire \o__valid$64 ;
-  output \o__valid$69 ;
-  wire \o__valid$69 ;
+  output \o__valid$7 ;
+  wire \o__valid$7 ;
   wire \o__valid$70 ;
+  wire \o__valid$73 ;
   wire open;
   output [31:0] output_stalls;
   reg [31:0] output_stalls = 32'd0;
@@ -1817,8 +1825,8 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire \params__payload.last ;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1170$0 ;
-  wire [3:0] \port$1170$0 ;
+  input [3:0] \port$1176$0 ;
+  wire [3:0] \port$1176$0 ;
   wire [14:0] read;
   wire [7:0] \read.address ;
   wire \read.bank ;
@@ -1829,85 +1837,41 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire [671:0] \requant.data ;
   input [31:0] requant_base;
   wire [31:0] requant_base;
-  wire [31:0] \requant_base$13 ;
-  wire [7:0] \requant_base$93 ;
+  wire [31:0] \requant_base$25 ;
+  wire [7:0] \requant_base$98 ;
   wire requant_en;
   wire [8:0] requant_end;
   wire retire;
-  wire \retire$89 ;
+  wire \retire$94 ;
   wire retire_row;
-  wire \retire_row$91 ;
+  wire \retire_row$96 ;
   input rst;
   wire rst;
   reg running = 1'h0;
-  wire [166:0] shape;
-  wire [166:0] \shape$19 ;
-  wire [15:0] \shape$19.beats_in ;
-  wire [15:0] \shape$19.beats_out ;
-  wire \shape$19.biased ;
-  wire [13:0] \shape$19.blocks ;
-  wire [14:0] \shape$19.column_words ;
-  wire [14:0] \shape$19.groups ;
-  wire \shape$19.halved ;
-  wire [15:0] \shape$19.height ;
-  wire [13:0] \shape$19.ingest_words ;
-  wire [15:0] \shape$19.out_height ;
-  wire [11:0] \shape$19.output_words ;
-  wire \shape$19.pointwise ;
-  wire [1:0] \shape$19.tail ;
-  wire [11:0] \shape$19.tiles ;
-  wire [15:0] \shape$19.width ;
-  wire [166:0] \shape$77 ;
-  wire [15:0] \shape$77.beats_in ;
-  wire [15:0] \shape$77.beats_out ;
-  wire \shape$77.biased ;
-  wire [13:0] \shape$77.blocks ;
-  wire [14:0] \shape$77.column_words ;
-  wire [14:0] \shape$77.groups ;
-  wire \shape$77.halved ;
-  wire [15:0] \shape$77.height ;
-  wire [13:0] \shape$77.ingest_words ;
-  wire [15:0] \shape$77.out_height ;
-  wire [11:0] \shape$77.output_words ;
-  wire \shape$77.pointwise ;
-  wire [1:0] \shape$77.tail ;
-  wire [11:0] \shape$77.tiles ;
-  wire [15:0] \shape$77.width ;
-  wire [166:0] \shape$78 ;
-  wire [15:0] \shape$78.beats_in ;
-  wire [15:0] \shape$78.beats_out ;
-  wire \shape$78.biased ;
-  wire [13:0] \shape$78.blocks ;
-  wire [14:0] \shape$78.column_words ;
-  wire [14:0] \shape$78.groups ;
-  wire \shape$78.halved ;
-  wire [15:0] \shape$78.height ;
-  wire [13:0] \shape$78.ingest_words ;
-  wire [15:0] \shape$78.out_height ;
-  wire [11:0] \shape$78.output_words ;
-  wire \shape$78.pointwise ;
-  wire [1:0] \shape$78.tail ;
-  wire [11:0] \shape$78.tiles ;
-  wire [15:0] \shape$78.width ;
-  wire [166:0] \shape$79 ;
-  wire [15:0] \shape$79.beats_in ;
-  wire [15:0] \shape$79.beats_out ;
-  wire \shape$79.biased ;
-  wire [13:0] \shape$79.blocks ;
-  wire [14:0] \shape$79.column_words ;
-  wire [14:0] \shape$79.groups ;
-  wire \shape$79.halved ;
-  wire [15:0] \shape$79.height ;
-  wire [13:0] \shape$79.ingest_words ;
-  wire [15:0] \shape$79.out_height ;
-  wire [11:0] \shape$79.output_words ;
-  wire \shape$79.pointwise ;
-  wire [1:0] \shape$79.tail ;
-  wire [11:0] \shape$79.tiles ;
-  wire [15:0] \shape$79.width ;
-  wire [166:0] \shape$80 ;
+  wire [199:0] shape;
+  wire [199:0] \shape$52 ;
+  wire [15:0] \shape$52.beats_in ;
+  wire [15:0] \shape$52.beats_out ;
+  wire [15:0] \shape$52.beats_residual ;
+  wire \shape$52.biased ;
+  wire [13:0] \shape$52.blocks ;
+  wire [14:0] \shape$52.column_words ;
+  wire [14:0] \shape$52.groups ;
+  wire \shape$52.halved ;
+  wire [15:0] \shape$52.height ;
+  wire [13:0] \shape$52.ingest_words ;
+  wire [15:0] \shape$52.out_height ;
+  wire [15:0] \shape$52.out_width ;
+  wire [11:0] \shape$52.output_words ;
+  wire \shape$52.pointwise ;
+  wire \shape$52.residual ;
+  wire [1:0] \shape$52.tail ;
+  wire [11:0] \shape$52.tiles ;
+  wire [15:0] \shape$52.width ;
+  wire [199:0] \shape$80 ;
   wire [15:0] \shape$80.beats_in ;
   wire [15:0] \shape$80.beats_out ;
+  wire [15:0] \shape$80.beats_residual ;
   wire \shape$80.biased ;
   wire [13:0] \shape$80.blocks ;
   wire [14:0] \shape$80.column_words ;
@@ -1916,13 +1880,54 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire [15:0] \shape$80.height ;
   wire [13:0] \shape$80.ingest_words ;
   wire [15:0] \shape$80.out_height ;
+  wire [15:0] \shape$80.out_width ;
   wire [11:0] \shape$80.output_words ;
   wire \shape$80.pointwise ;
+  wire \shape$80.residual ;
   wire [1:0] \shape$80.tail ;
   wire [11:0] \shape$80.tiles ;
   wire [15:0] \shape$80.width ;
+  wire [199:0] \shape$81 ;
+  wire [15:0] \shape$81.beats_in ;
+  wire [15:0] \shape$81.beats_out ;
+  wire [15:0] \shape$81.beats_residual ;
+  wire \shape$81.biased ;
+  wire [13:0] \shape$81.blocks ;
+  wire [14:0] \shape$81.column_words ;
+  wire [14:0] \shape$81.groups ;
+  wire \shape$81.halved ;
+  wire [15:0] \shape$81.height ;
+  wire [13:0] \shape$81.ingest_words ;
+  wire [15:0] \shape$81.out_height ;
+  wire [15:0] \shape$81.out_width ;
+  wire [11:0] \shape$81.output_words ;
+  wire \shape$81.pointwise ;
+  wire \shape$81.residual ;
+  wire [1:0] \shape$81.tail ;
+  wire [11:0] \shape$81.tiles ;
+  wire [15:0] \shape$81.width ;
+  wire [199:0] \shape$82 ;
+  wire [15:0] \shape$82.beats_in ;
+  wire [15:0] \shape$82.beats_out ;
+  wire [15:0] \shape$82.beats_residual ;
+  wire \shape$82.biased ;
+  wire [13:0] \shape$82.blocks ;
+  wire [14:0] \shape$82.column_words ;
+  wire [14:0] \shape$82.groups ;
+  wire \shape$82.halved ;
+  wire [15:0] \shape$82.height ;
+  wire [13:0] \shape$82.ingest_words ;
+  wire [15:0] \shape$82.out_height ;
+  wire [15:0] \shape$82.out_width ;
+  wire [11:0] \shape$82.output_words ;
+  wire \shape$82.pointwise ;
+  wire \shape$82.residual ;
+  wire [1:0] \shape$82.tail ;
+  wire [11:0] \shape$82.tiles ;
+  wire [15:0] \shape$82.width ;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire [15:0] \shape.beats_residual ;
   wire \shape.biased ;
   wire [13:0] \shape.blocks ;
   wire [14:0] \shape.column_words ;
@@ -1931,82 +1936,84 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [15:0] \shape.out_height ;
+  wire [15:0] \shape.out_width ;
   wire [11:0] \shape.output_words ;
   wire \shape.pointwise ;
+  wire \shape.residual ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
   wire shift;
-  wire \shift$119 ;
-  wire \shift$129 ;
-  wire \shift$138 ;
-  wire \shift$147 ;
-  wire \shift$156 ;
-  wire \shift$164 ;
-  wire \shift$172 ;
-  wire \shift$180 ;
-  wire \shift$188 ;
-  wire \shift$196 ;
-  wire \shift$204 ;
-  wire \shift$212 ;
-  wire \shift$220 ;
-  wire \shift$228 ;
-  wire \shift$236 ;
-  wire \shift$244 ;
-  wire \shift$252 ;
-  wire \shift$260 ;
-  wire \shift$268 ;
-  wire \shift$276 ;
-  wire \shift$284 ;
-  wire \shift$292 ;
-  wire \shift$300 ;
-  wire \shift$308 ;
-  wire \shift$316 ;
-  wire \shift$324 ;
-  wire \shift$332 ;
-  wire \shift$340 ;
-  wire \shift$348 ;
-  wire \shift$356 ;
-  wire \shift$364 ;
-  wire \shift$372 ;
-  wire \shift$380 ;
-  wire \shift$388 ;
-  wire \shift$396 ;
-  wire \shift$404 ;
-  wire \shift$412 ;
-  wire \shift$420 ;
-  wire \shift$428 ;
-  wire \shift$436 ;
-  wire \shift$444 ;
-  wire \shift$452 ;
-  wire \shift$460 ;
-  wire \shift$468 ;
-  wire \shift$476 ;
-  wire \shift$484 ;
-  wire \shift$492 ;
-  wire \shift$500 ;
-  wire \shift$508 ;
-  wire \shift$516 ;
-  wire \shift$524 ;
-  wire \shift$532 ;
-  wire \shift$540 ;
-  wire \shift$548 ;
-  wire \shift$556 ;
-  wire \shift$564 ;
-  wire \shift$572 ;
-  wire \shift$580 ;
-  wire \shift$588 ;
-  wire \shift$596 ;
-  wire \shift$604 ;
+  wire \shift$125 ;
+  wire \shift$135 ;
+  wire \shift$144 ;
+  wire \shift$153 ;
+  wire \shift$162 ;
+  wire \shift$170 ;
+  wire \shift$178 ;
+  wire \shift$186 ;
+  wire \shift$194 ;
+  wire \shift$202 ;
+  wire \shift$210 ;
+  wire \shift$218 ;
+  wire \shift$226 ;
+  wire \shift$234 ;
+  wire \shift$242 ;
+  wire \shift$250 ;
+  wire \shift$258 ;
+  wire \shift$266 ;
+  wire \shift$274 ;
+  wire \shift$282 ;
+  wire \shift$290 ;
+  wire \shift$298 ;
+  wire \shift$306 ;
+  wire \shift$314 ;
+  wire \shift$322 ;
+  wire \shift$330 ;
+  wire \shift$338 ;
+  wire \shift$346 ;
+  wire \shift$354 ;
+  wire \shift$362 ;
+  wire \shift$370 ;
+  wire \shift$378 ;
+  wire \shift$386 ;
+  wire \shift$394 ;
+  wire \shift$402 ;
+  wire \shift$410 ;
+  wire \shift$418 ;
+  wire \shift$426 ;
+  wire \shift$434 ;
+  wire \shift$442 ;
+  wire \shift$450 ;
+  wire \shift$458 ;
+  wire \shift$466 ;
+  wire \shift$474 ;
+  wire \shift$482 ;
+  wire \shift$490 ;
+  wire \shift$498 ;
+  wire \shift$506 ;
+  wire \shift$514 ;
+  wire \shift$522 ;
+  wire \shift$530 ;
+  wire \shift$538 ;
+  wire \shift$546 ;
+  wire \shift$554 ;
+  wire \shift$562 ;
+  wire \shift$570 ;
+  wire \shift$578 ;
+  wire \shift$586 ;
+  wire \shift$594 ;
+  wire \shift$602 ;
   wire \shift$610 ;
   wire \shift$616 ;
   wire \shift$622 ;
+  wire \shift$628 ;
   wire soft_reset;
   reg start;
-  wire \start$81 ;
-  wire \start$82 ;
-  wire \start$83 ;
-  wire \start$84 ;
+  wire \start$86 ;
+  wire \start$87 ;
+  wire \start$88 ;
+  wire \start$89 ;
   reg start_requant;
   reg start_weights;
   wire starved;
@@ -2046,201 +2053,199 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire [71:0] \weight.data ;
   input [31:0] weight_base;
   wire [31:0] weight_base;
-  wire [31:0] \weight_base$11 ;
-  wire [9:0] \weight_base$92 ;
+  wire [31:0] \weight_base$23 ;
+  wire [9:0] \weight_base$97 ;
   wire [10:0] weight_end;
   input [31:0] width;
   wire [31:0] width;
-  wire [31:0] \width$3 ;
+  wire [31:0] \width$15 ;
+  wire [15:0] \width$84 ;
   wire [95:0] word;
   input [31:0] words;
   wire [31:0] words;
-  wire [31:0] \words$15 ;
+  wire [31:0] \words$27 ;
   wire [15:0] words_per_pixel;
   wire [679:0] write;
-  wire [81:0] \write$113 ;
-  wire [9:0] \write$113.addr ;
-  wire [71:0] \write$113.data ;
-  wire [81:0] \write$126 ;
-  wire [9:0] \write$126.addr ;
-  wire [71:0] \write$126.data ;
-  wire [81:0] \write$135 ;
-  wire [9:0] \write$135.addr ;
-  wire [71:0] \write$135.data ;
-  wire [81:0] \write$144 ;
-  wire [9:0] \write$144.addr ;
-  wire [71:0] \write$144.data ;
-  wire [81:0] \write$153 ;
-  wire [9:0] \write$153.addr ;
-  wire [71:0] \write$153.data ;
-  wire [81:0] \write$161 ;
-  wire [9:0] \write$161.addr ;
-  wire [71:0] \write$161.data ;
-  wire [81:0] \write$169 ;
-  wire [9:0] \write$169.addr ;
-  wire [71:0] \write$169.data ;
-  wire [81:0] \write$177 ;
-  wire [9:0] \write$177.addr ;
-  wire [71:0] \write$177.data ;
-  wire [81:0] \write$185 ;
-  wire [9:0] \write$185.addr ;
-  wire [71:0] \write$185.data ;
-  wire [81:0] \write$193 ;
-  wire [9:0] \write$193.addr ;
-  wire [71:0] \write$193.data ;
-  wire [81:0] \write$201 ;
-  wire [9:0] \write$201.addr ;
-  wire [71:0] \write$201.data ;
-  wire [81:0] \write$209 ;
-  wire [9:0] \write$209.addr ;
-  wire [71:0] \write$209.data ;
-  wire [81:0] \write$217 ;
-  wire [9:0] \write$217.addr ;
-  wire [71:0] \write$217.data ;
-  wire [81:0] \write$225 ;
-  wire [9:0] \write$225.addr ;
-  wire [71:0] \write$225.data ;
-  wire [81:0] \write$233 ;
-  wire [9:0] \write$233.addr ;
-  wire [71:0] \write$233.data ;
-  wire [81:0] \write$241 ;
-  wire [9:0] \write$241.addr ;
-  wire [71:0] \write$241.data ;
-  wire [81:0] \write$249 ;
-  wire [9:0] \write$249.addr ;
-  wire [71:0] \write$249.data ;
-  wire [81:0] \write$257 ;
-  wire [9:0] \write$257.addr ;
-  wire [71:0] \write$257.data ;
-  wire [81:0] \write$265 ;
-  wire [9:0] \write$265.addr ;
-  wire [71:0] \write$265.data ;
-  wire [81:0] \write$273 ;
-  wire [9:0] \write$273.addr ;
-  wire [71:0] \write$273.data ;
-  wire [81:0] \write$281 ;
-  wire [9:0] \write$281.addr ;
-  wire [71:0] \write$281.data ;
-  wire [81:0] \write$289 ;
-  wire [9:0] \write$289.addr ;
-  wire [71:0] \write$289.data ;
-  wire [81:0] \write$297 ;
-  wire [9:0] \write$297.addr ;
-  wire [71:0] \write$297.data ;
-  wire [81:0] \write$305 ;
-  wire [9:0] \write$305.addr ;
-  wire [71:0] \write$305.data ;
-  wire [81:0] \write$313 ;
-  wire [9:0] \write$313.addr ;
-  wire [71:0] \write$313.data ;
-  wire [81:0] \write$321 ;
-  wire [9:0] \write$321.addr ;
-  wire [71:0] \write$321.data ;
-  wire [81:0] \write$329 ;
-  wire [9:0] \write$329.addr ;
-  wire [71:0] \write$329.data ;
-  wire [81:0] \write$337 ;
-  wire [9:0] \write$337.addr ;
-  wire [71:0] \write$337.data ;
-  wire [81:0] \write$345 ;
-  wire [9:0] \write$345.addr ;
-  wire [71:0] \write$345.data ;
-  wire [81:0] \write$353 ;
-  wire [9:0] \write$353.addr ;
-  wire [71:0] \write$353.data ;
-  wire [81:0] \write$361 ;
-  wire [9:0] \write$361.addr ;
-  wire [71:0] \write$361.data ;
-  wire [81:0] \write$369 ;
-  wire [9:0] \write$369.addr ;
-  wire [71:0] \write$369.data ;
-  wire [81:0] \write$377 ;
-  wire [9:0] \write$377.addr ;
-  wire [71:0] \write$377.data ;
-  wire [81:0] \write$385 ;
-  wire [9:0] \write$385.addr ;
-  wire [71:0] \write$385.data ;
-  wire [81:0] \write$393 ;
-  wire [9:0] \write$393.addr ;
-  wire [71:0] \write$393.data ;
-  wire [81:0] \write$401 ;
-  wire [9:0] \write$401.addr ;
-  wire [71:0] \write$401.data ;
-  wire [81:0] \write$409 ;
-  wire [9:0] \write$409.addr ;
-  wire [71:0] \write$409.data ;
-  wire [81:0] \write$417 ;
-  wire [9:0] \write$417.addr ;
-  wire [71:0] \write$417.data ;
-  wire [81:0] \write$425 ;
-  wire [9:0] \write$425.addr ;
-  wire [71:0] \write$425.data ;
-  wire [81:0] \write$433 ;
-  wire [9:0] \write$433.addr ;
-  wire [71:0] \write$433.data ;
-  wire [81:0] \write$441 ;
-  wire [9:0] \write$441.addr ;
-  wire [71:0] \write$441.data ;
-  wire [81:0] \write$449 ;
-  wire [9:0] \write$449.addr ;
-  wire [71:0] \write$449.data ;
-  wire [81:0] \write$457 ;
-  wire [9:0] \write$457.addr ;
-  wire [71:0] \write$457.data ;
-  wire [81:0] \write$465 ;
-  wire [9:0] \write$465.addr ;
-  wire [71:0] \write$465.data ;
-  wire [81:0] \write$473 ;
-  wire [9:0] \write$473.addr ;
-  wire [71:0] \write$473.data ;
-  wire [81:0] \write$481 ;
-  wire [9:0] \write$481.addr ;
-  wire [71:0] \write$481.data ;
-  wire [81:0] \write$489 ;
-  wire [9:0] \write$489.addr ;
-  wire [71:0] \write$489.data ;
-  wire [81:0] \write$497 ;
-  wire [9:0] \write$497.addr ;
-  wire [71:0] \write$497.data ;
-  wire [81:0] \write$505 ;
-  wire [9:0] \write$505.addr ;
-  wire [71:0] \write$505.data ;
-  wire [81:0] \write$513 ;
-  wire [9:0] \write$513.addr ;
-  wire [71:0] \write$513.data ;
-  wire [81:0] \write$521 ;
-  wire [9:0] \write$521.addr ;
-  wire [71:0] \write$521.data ;
-  wire [81:0] \write$529 ;
-  wire [9:0] \write$529.addr ;
-  wire [71:0] \write$529.data ;
-  wire [81:0] \write$537 ;
-  wire [9:0] \write$537.addr ;
-  wire [71:0] \write$537.data ;
-  wire [81:0] \write$545 ;
-  wire [9:0] \write$545.addr ;
-  wire [71:0] \write$545.data ;
-  wire [81:0] \write$553 ;
-  wire [9:0] \write$553.addr ;
-  wire [71:0] \write$553.data ;
-  wire [81:0] \write$561 ;
-  wire [9:0] \write$561.addr ;
-  wire [71:0] \write$561.data ;
-  wire [81:0] \write$569 ;
-  wire [9:0] \write$569.addr ;
-  wire [71:0] \write$569.data ;
-  wire [81:0] \write$577 ;
-  wire [9:0] \write$577.addr ;
-  wire [71:0] \write$577.data ;
-  wire [81:0] \write$585 ;
-  wire [9:0] \write$585.addr ;
-  wire [71:0] \write$585.data ;
-  wire [81:0] \write$593 ;
-  wire [9:0] \write$593.addr ;
-  wire [71:0] \write$593.data ;
-  wire [81:0] \write$601 ;
-  wire [9:0] \write$601.addr ;
-  wire [71:0] \write$601.data ;
+  wire [81:0] \write$118 ;
+  wire [9:0] \write$118.addr ;
+  wire [71:0] \write$118.data ;
+  wire [81:0] \write$132 ;
+  wire [9:0] \write$132.addr ;
+  wire [71:0] \write$132.data ;
+  wire [81:0] \write$141 ;
+  wire [9:0] \write$141.addr ;
+  wire [71:0] \write$141.data ;
+  wire [81:0] \write$150 ;
+  wire [9:0] \write$150.addr ;
+  wire [71:0] \write$150.data ;
+  wire [81:0] \write$159 ;
+  wire [9:0] \write$159.addr ;
+  wire [71:0] \write$159.data ;
+  wire [81:0] \write$167 ;
+  wire [9:0] \write$167.addr ;
+  wire [71:0] \write$167.data ;
+  wire [81:0] \write$175 ;
+  wire [9:0] \write$175.addr ;
+  wire [71:0] \write$175.data ;
+  wire [81:0] \write$183 ;
+  wire [9:0] \write$183.addr ;
+  wire [71:0] \write$183.data ;
+  wire [81:0] \write$191 ;
+  wire [9:0] \write$191.addr ;
+  wire [71:0] \write$191.data ;
+  wire [81:0] \write$199 ;
+  wire [9:0] \write$199.addr ;
+  wire [71:0] \write$199.data ;
+  wire [81:0] \write$207 ;
+  wire [9:0] \write$207.addr ;
+  wire [71:0] \write$207.data ;
+  wire [81:0] \write$215 ;
+  wire [9:0] \write$215.addr ;
+  wire [71:0] \write$215.data ;
+  wire [81:0] \write$223 ;
+  wire [9:0] \write$223.addr ;
+  wire [71:0] \write$223.data ;
+  wire [81:0] \write$231 ;
+  wire [9:0] \write$231.addr ;
+  wire [71:0] \write$231.data ;
+  wire [81:0] \write$239 ;
+  wire [9:0] \write$239.addr ;
+  wire [71:0] \write$239.data ;
+  wire [81:0] \write$247 ;
+  wire [9:0] \write$247.addr ;
+  wire [71:0] \write$247.data ;
+  wire [81:0] \write$255 ;
+  wire [9:0] \write$255.addr ;
+  wire [71:0] \write$255.data ;
+  wire [81:0] \write$263 ;
+  wire [9:0] \write$263.addr ;
+  wire [71:0] \write$263.data ;
+  wire [81:0] \write$271 ;
+  wire [9:0] \write$271.addr ;
+  wire [71:0] \write$271.data ;
+  wire [81:0] \write$279 ;
+  wire [9:0] \write$279.addr ;
+  wire [71:0] \write$279.data ;
+  wire [81:0] \write$287 ;
+  wire [9:0] \write$287.addr ;
+  wire [71:0] \write$287.data ;
+  wire [81:0] \write$295 ;
+  wire [9:0] \write$295.addr ;
+  wire [71:0] \write$295.data ;
+  wire [81:0] \write$303 ;
+  wire [9:0] \write$303.addr ;
+  wire [71:0] \write$303.data ;
+  wire [81:0] \write$311 ;
+  wire [9:0] \write$311.addr ;
+  wire [71:0] \write$311.data ;
+  wire [81:0] \write$319 ;
+  wire [9:0] \write$319.addr ;
+  wire [71:0] \write$319.data ;
+  wire [81:0] \write$327 ;
+  wire [9:0] \write$327.addr ;
+  wire [71:0] \write$327.data ;
+  wire [81:0] \write$335 ;
+  wire [9:0] \write$335.addr ;
+  wire [71:0] \write$335.data ;
+  wire [81:0] \write$343 ;
+  wire [9:0] \write$343.addr ;
+  wire [71:0] \write$343.data ;
+  wire [81:0] \write$351 ;
+  wire [9:0] \write$351.addr ;
+  wire [71:0] \write$351.data ;
+  wire [81:0] \write$359 ;
+  wire [9:0] \write$359.addr ;
+  wire [71:0] \write$359.data ;
+  wire [81:0] \write$367 ;
+  wire [9:0] \write$367.addr ;
+  wire [71:0] \write$367.data ;
+  wire [81:0] \write$375 ;
+  wire [9:0] \write$375.addr ;
+  wire [71:0] \write$375.data ;
+  wire [81:0] \write$383 ;
+  wire [9:0] \write$383.addr ;
+  wire [71:0] \write$383.data ;
+  wire [81:0] \write$391 ;
+  wire [9:0] \write$391.addr ;
+  wire [71:0] \write$391.data ;
+  wire [81:0] \write$399 ;
+  wire [9:0] \write$399.addr ;
+  wire [71:0] \write$399.data ;
+  wire [81:0] \write$407 ;
+  wire [9:0] \write$407.addr ;
+  wire [71:0] \write$407.data ;
+  wire [81:0] \write$415 ;
+  wire [9:0] \write$415.addr ;
+  wire [71:0] \write$415.data ;
+  wire [81:0] \write$423 ;
+  wire [9:0] \write$423.addr ;
+  wire [71:0] \write$423.data ;
+  wire [81:0] \write$431 ;
+  wire [9:0] \write$431.addr ;
+  wire [71:0] \write$431.data ;
+  wire [81:0] \write$439 ;
+  wire [9:0] \write$439.addr ;
+  wire [71:0] \write$439.data ;
+  wire [81:0] \write$447 ;
+  wire [9:0] \write$447.addr ;
+  wire [71:0] \write$447.data ;
+  wire [81:0] \write$455 ;
+  wire [9:0] \write$455.addr ;
+  wire [71:0] \write$455.data ;
+  wire [81:0] \write$463 ;
+  wire [9:0] \write$463.addr ;
+  wire [71:0] \write$463.data ;
+  wire [81:0] \write$471 ;
+  wire [9:0] \write$471.addr ;
+  wire [71:0] \write$471.data ;
+  wire [81:0] \write$479 ;
+  wire [9:0] \write$479.addr ;
+  wire [71:0] \write$479.data ;
+  wire [81:0] \write$487 ;
+  wire [9:0] \write$487.addr ;
+  wire [71:0] \write$487.data ;
+  wire [81:0] \write$495 ;
+  wire [9:0] \write$495.addr ;
+  wire [71:0] \write$495.data ;
+  wire [81:0] \write$503 ;
+  wire [9:0] \write$503.addr ;
+  wire [71:0] \write$503.data ;
+  wire [81:0] \write$511 ;
+  wire [9:0] \write$511.addr ;
+  wire [71:0] \write$511.data ;
+  wire [81:0] \write$519 ;
+  wire [9:0] \write$519.addr ;
+  wire [71:0] \write$519.data ;
+  wire [81:0] \write$527 ;
+  wire [9:0] \write$527.addr ;
+  wire [71:0] \write$527.data ;
+  wire [81:0] \write$535 ;
+  wire [9:0] \write$535.addr ;
+  wire [71:0] \write$535.data ;
+  wire [81:0] \write$543 ;
+  wire [9:0] \write$543.addr ;
+  wire [71:0] \write$543.data ;
+  wire [81:0] \write$551 ;
+  wire [9:0] \write$551.addr ;
+  wire [71:0] \write$551.data ;
+  wire [81:0] \write$559 ;
+  wire [9:0] \write$559.addr ;
+  wire [71:0] \write$559.data ;
+  wire [81:0] \write$567 ;
+  wire [9:0] \write$567.addr ;
+  wire [71:0] \write$567.data ;
+  wire [81:0] \write$575 ;
+  wire [9:0] \write$575.addr ;
+  wire [71:0] \write$575.data ;
+  wire [81:0] \write$583 ;
+  wire [9:0] \write$583.addr ;
+  wire [71:0] \write$583.data ;
+  wire [81:0] \write$591 ;
+  wire [9:0] \write$591.addr ;
+  wire [71:0] \write$591.data ;
+  wire [81:0] \write$599 ;
+  wire [9:0] \write$599.addr ;
+  wire [71:0] \write$599.data ;
   wire [81:0] \write$607 ;
   wire [9:0] \write$607.addr ;
   wire [71:0] \write$607.data ;
@@ -2250,175 +2255,180 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   wire [81:0] \write$619 ;
   wire [9:0] \write$619.addr ;
   wire [71:0] \write$619.data ;
+  wire [81:0] \write$625 ;
+  wire [9:0] \write$625.addr ;
+  wire [71:0] \write$625.data ;
   wire [7:0] \write.addr ;
   wire [671:0] \write.data ;
   wire write_en;
-  wire \write_en$111 ;
-  wire \write_en$125 ;
-  wire \write_en$134 ;
-  wire \write_en$143 ;
-  wire \write_en$152 ;
-  wire \write_en$160 ;
-  wire \write_en$168 ;
-  wire \write_en$176 ;
-  wire \write_en$184 ;
-  wire \write_en$192 ;
-  wire \write_en$200 ;
-  wire \write_en$208 ;
-  wire \write_en$216 ;
-  wire \write_en$224 ;
-  wire \write_en$232 ;
-  wire \write_en$240 ;
-  wire \write_en$248 ;
-  wire \write_en$256 ;
-  wire \write_en$264 ;
-  wire \write_en$272 ;
-  wire \write_en$280 ;
-  wire \write_en$288 ;
-  wire \write_en$296 ;
-  wire \write_en$304 ;
-  wire \write_en$312 ;
-  wire \write_en$320 ;
-  wire \write_en$328 ;
-  wire \write_en$336 ;
-  wire \write_en$344 ;
-  wire \write_en$352 ;
-  wire \write_en$360 ;
-  wire \write_en$368 ;
-  wire \write_en$376 ;
-  wire \write_en$384 ;
-  wire \write_en$392 ;
-  wire \write_en$400 ;
-  wire \write_en$408 ;
-  wire \write_en$416 ;
-  wire \write_en$424 ;
-  wire \write_en$432 ;
-  wire \write_en$440 ;
-  wire \write_en$448 ;
-  wire \write_en$456 ;
-  wire \write_en$464 ;
-  wire \write_en$472 ;
-  wire \write_en$480 ;
-  wire \write_en$488 ;
-  wire \write_en$496 ;
-  wire \write_en$504 ;
-  wire \write_en$512 ;
-  wire \write_en$520 ;
-  wire \write_en$528 ;
-  wire \write_en$536 ;
-  wire \write_en$544 ;
-  wire \write_en$552 ;
-  wire \write_en$560 ;
-  wire \write_en$568 ;
-  wire \write_en$576 ;
-  wire \write_en$584 ;
-  wire \write_en$592 ;
-  wire \write_en$600 ;
+  wire \write_en$116 ;
+  wire \write_en$131 ;
+  wire \write_en$140 ;
+  wire \write_en$149 ;
+  wire \write_en$158 ;
+  wire \write_en$166 ;
+  wire \write_en$174 ;
+  wire \write_en$182 ;
+  wire \write_en$190 ;
+  wire \write_en$198 ;
+  wire \write_en$206 ;
+  wire \write_en$214 ;
+  wire \write_en$222 ;
+  wire \write_en$230 ;
+  wire \write_en$238 ;
+  wire \write_en$246 ;
+  wire \write_en$254 ;
+  wire \write_en$262 ;
+  wire \write_en$270 ;
+  wire \write_en$278 ;
+  wire \write_en$286 ;
+  wire \write_en$294 ;
+  wire \write_en$302 ;
+  wire \write_en$310 ;
+  wire \write_en$318 ;
+  wire \write_en$326 ;
+  wire \write_en$334 ;
+  wire \write_en$342 ;
+  wire \write_en$350 ;
+  wire \write_en$358 ;
+  wire \write_en$366 ;
+  wire \write_en$374 ;
+  wire \write_en$382 ;
+  wire \write_en$390 ;
+  wire \write_en$398 ;
+  wire \write_en$406 ;
+  wire \write_en$414 ;
+  wire \write_en$422 ;
+  wire \write_en$430 ;
+  wire \write_en$438 ;
+  wire \write_en$446 ;
+  wire \write_en$454 ;
+  wire \write_en$462 ;
+  wire \write_en$470 ;
+  wire \write_en$478 ;
+  wire \write_en$486 ;
+  wire \write_en$494 ;
+  wire \write_en$502 ;
+  wire \write_en$510 ;
+  wire \write_en$518 ;
+  wire \write_en$526 ;
+  wire \write_en$534 ;
+  wire \write_en$542 ;
+  wire \write_en$550 ;
+  wire \write_en$558 ;
+  wire \write_en$566 ;
+  wire \write_en$574 ;
+  wire \write_en$582 ;
+  wire \write_en$590 ;
+  wire \write_en$598 ;
   wire \write_en$606 ;
   wire \write_en$612 ;
   wire \write_en$618 ;
-  assign \$22  = \$signal$623  | \$signal$626 ;
-  assign \$23  = ~ ended;
-  assign \$signal$625  = \$22  & \$23 ;
-  assign \$24  = \port$1170$0 [2:0] - 1'h1;
-  assign \$25  = { 1'h0, \port$1170$0 [2:0] } & \$24 ;
-  assign \$26  = | \$25 ;
-  assign \$27  = | \wait ;
-  assign \$28  = \wait  - 1'h1;
-  assign \$29  = \wait  == 1'h1;
-  assign \$30  = \o__valid$69  & \o__ready$67 ;
-  assign \$31  = \$30  & \o__payload$65 [64];
-  assign \$32  = running & delivered;
-  assign \$33  = ~ open;
-  assign \$34  = \$32  & \$33 ;
-  assign \$35  = \$signal$33  & idle;
-  assign \$36  = ! \error$633 ;
-  assign \$37  = | \$signal$35 ;
-  assign \$38  = | verdict;
-  assign \$39  = cycles + 1'h1;
-  assign \$40  = ~ \$signal$645 ;
-  assign \$41  = ~ flushing;
-  assign \$42  = blocked & \$41 ;
-  assign \$43  = mac_cycles + 1'h1;
-  assign \$44  = fill_cycles + 1'h1;
-  assign \$45  = input_stalls + 1'h1;
-  assign \$46  = output_stalls + 1'h1;
-  assign \$47  = drain_cycles + 1'h1;
+  wire \write_en$624 ;
+  assign \$21  = ! error;
+  assign \$22  = \$21  & loading;
+  assign \$23  = \$22  & overlaps;
+  assign \$24  = ! verdict;
+  assign finished = control3[0] & control3[2];
+  assign first_beat = \i__valid$57  & \i__ready$55 ;
+  assign \$25  = first_beat | \$signal$631 ;
+  assign \$26  = ~ ended;
+  assign \$signal$630  = \$25  & \$26 ;
+  assign \$27  = \port$1176$0 [2:0] - 1'h1;
+  assign \$28  = { 1'h0, \port$1176$0 [2:0] } & \$27 ;
+  assign \$29  = | \$28 ;
+  assign \$30  = | \wait ;
+  assign \$31  = \wait  - 1'h1;
+  assign \$32  = \wait  == 1'h1;
+  assign \$33  = running & delivered;
+  assign \$34  = ~ open;
+  assign \$35  = \$33  & \$34 ;
+  assign \$36  = \$signal$43  & idle;
+  assign \$37  = ! \error$638 ;
+  assign \$38  = | \$signal$45 ;
+  assign \$39  = | verdict;
+  assign \$40  = cycles + 1'h1;
+  assign \$41  = ~ \$signal$649 ;
+  assign \$42  = ~ flushing;
+  assign \$43  = blocked & \$42 ;
+  assign \$44  = mac_cycles + 1'h1;
+  assign \$45  = fill_cycles + 1'h1;
+  assign \$46  = input_stalls + 1'h1;
+  assign \$47  = output_stalls + 1'h1;
+  assign \$48  = drain_cycles + 1'h1;
   always @(posedge clk)
-    \wait  <= \$48 ;
+    last_beat_gone0 <= \$49 ;
   always @(posedge clk)
-    done <= \$49 ;
+    \wait  <= \$50 ;
   always @(posedge clk)
-    running <= \$50 ;
+    done <= \$51 ;
   always @(posedge clk)
-    delivered <= \$51 ;
+    running <= \$52 ;
   always @(posedge clk)
-    \error$633  <= \$52 ;
+    delivered <= \$53 ;
   always @(posedge clk)
-    control0 <= \$53 ;
+    \error$638  <= \$54 ;
+  always @(posedge clk)
+    control0 <= \$55 ;
   always @(posedge clk)
     info0 <= step[43:33];
   always @(posedge clk)
-    control1 <= \$54 ;
+    control1 <= \$56 ;
   always @(posedge clk)
     info1 <= info0;
   always @(posedge clk)
-    control2 <= \$55 ;
+    control <= \$57 ;
   always @(posedge clk)
     info2 <= info1;
   always @(posedge clk)
-    control3 <= \$56 ;
+    control3 <= \$58 ;
   always @(posedge clk)
     info <= info2;
   always @(posedge clk)
-    \$signal$626  <= \$57 ;
+    \$signal$631  <= \$59 ;
   always @(posedge clk)
-    \$signal$645  <= \$58 ;
+    \$signal$649  <= \$60 ;
   always @(posedge clk)
-    ended <= \$59 ;
+    ended <= \$61 ;
   always @(posedge clk)
-    cycles <= \$60 ;
+    cycles <= \$62 ;
   always @(posedge clk)
-    mac_cycles <= \$61 ;
+    mac_cycles <= \$63 ;
   always @(posedge clk)
-    fill_cycles <= \$62 ;
+    fill_cycles <= \$64 ;
   always @(posedge clk)
-    input_stalls <= \$63 ;
+    input_stalls <= \$65 ;
   always @(posedge clk)
-    output_stalls <= \$64 ;
+    output_stalls <= \$66 ;
   always @(posedge clk)
-    drain_cycles <= \$65 ;
-  assign \$1  = | \wait ;
-  assign busy = running | \$1 ;
-  assign \$signal  = loading ? to_requant : \port$1170$0 [2];
+    drain_cycles <= \$67 ;
+  assign \$1  = \o__valid$7  & \o__ready$8 ;
+  assign last_beat0 = \$1  & \o__payload$9 [64];
+  assign \$3  = last_beat0 | last_beat_gone0;
+  assign last_beat = \$2  & \$4 ;
+  assign \$5  = | \wait ;
+  assign busy = running | \$5 ;
+  assign \$signal  = loading ? to_requant : \port$1176$0 [2];
   assign load_end = base + words;
-  assign \$2  = \$signal  ? 11'h100 : 11'h400;
-  assign \$signal$29  = load_end > \$2 ;
-  assign \$3  = \$signal  ? { 2'h0, requant_end } : weight_end;
-  assign \$4  = base < \$3 ;
-  assign \$5  = \$signal  ? requant_base : weight_base;
-  assign \$6  = load_end > \$5 ;
-  assign overlaps = \$4  & \$6 ;
-  assign \$signal$33  = | \port$1170$0 [2:0];
-  assign \$7  = ~ busy;
-  assign \$8  = ~ loading;
-  assign idle = \$7  & \$8 ;
-  assign \$9  = \port$1170$0 [2:0] - 1'h1;
-  assign \$10  = { 1'h0, \port$1170$0 [2:0] } & \$9 ;
-  assign \$11  = | \$10 ;
-  assign \$12  = ! words;
-  assign \$13  = \$12  | \$signal$29 ;
-  assign \$14  = busy & overlaps;
-  assign \$15  = \$13  | \$14 ;
-  assign \$16  = \wait  == 1'h1;
-  assign \$17  = ! error;
-  assign \$18  = \$17  & loading;
-  assign \$19  = \$18  & overlaps;
-  assign \$20  = ! verdict;
-  assign finished = control3[0] & control3[2];
-  assign \$signal$623  = i__valid & i__ready;
-  assign \$21  = \o__valid$69  & \o__ready$67 ;
-  assign last_beat = \$21  & \o__payload$65 [64];
+  assign \$6  = \$signal  ? 11'h100 : 11'h400;
+  assign \$signal$39  = load_end > \$6 ;
+  assign \$7  = \$signal  ? { 2'h0, requant_end } : weight_end;
+  assign \$8  = base < \$7 ;
+  assign \$9  = \$signal  ? requant_base : weight_base;
+  assign \$10  = load_end > \$9 ;
+  assign overlaps = \$8  & \$10 ;
+  assign \$signal$43  = | \port$1176$0 [2:0];
+  assign \$11  = ~ busy;
+  assign \$12  = ~ loading;
+  assign idle = \$11  & \$12 ;
+  assign \$13  = \port$1176$0 [2:0] - 1'h1;
+  assign \$14  = { 1'h0, \port$1176$0 [2:0] } & \$13 ;
+  assign \$15  = | \$14 ;
+  assign \$16  = ! words;
+  assign \$17  = \$16  | \$signal$39 ;
+  assign \$18  = busy & overlaps;
+  assign \$19  = \$17  | \$18 ;
+  assign \$20  = \wait  == 1'h1;
   \macram_top.array.decoder  decoder (
     .c_in(c_in),
     .c_out(c_out),
@@ -2430,7 +2440,7 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
     .requant_end(requant_end),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1170$0 [3]),
+    .soft_reset(\port$1176$0 [3]),
     .weight_base(weight_base),
     .weight_end(weight_end),
     .width(width)
@@ -2441,89 +2451,90 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
     .finished(finished),
     .\heads$60 (heads),
     .info(info),
-    .o__payload(\i__payload$59 ),
-    .o__ready(\o__ready$61 ),
-    .reload__addr(\$67 ),
-    .reload__data(\$68 ),
+    .o__payload(i__payload),
+    .o__ready(o__ready),
+    .reload__addr(\$69 ),
+    .reload__data(\$70 ),
     .reload__en(write_en),
     .requant_base(requant_base[7:0]),
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1170$0 [3]),
+    .soft_reset(\port$1176$0 [3]),
     .start(start),
-    .valid(\i__valid$63 )
+    .valid(i__valid)
   );
   \macram_top.array.emit  emit (
     .beats_per_pixel(shape[163:148]),
     .clk(clk),
-    .i__payload(\i__payload$59 ),
-    .i__ready(\o__ready$61 ),
-    .i__valid(\i__valid$63 ),
-    .o__payload(\o__payload$65 ),
-    .o__ready(\o__ready$67 ),
-    .o__valid(\o__valid$69 ),
+    .i__payload(i__payload),
+    .i__ready(o__ready),
+    .i__valid(i__valid),
+    .o__payload(\o__payload$9 ),
+    .o__ready(\o__ready$8 ),
+    .o__valid(\o__valid$7 ),
     .rst(rst),
-    .soft_reset(\port$1170$0 [3])
+    .soft_reset(\port$1176$0 [3])
   );
   \macram_top.array.frame  frame (
+    .beats(shape[147:132]),
     .clk(clk),
-    .error(\error$636 ),
+    .error(\error$641 ),
     .fault(fault),
-    .i__payload(i__payload),
-    .i__ready(i__ready),
-    .i__valid(i__valid),
-    .o__ready(o__ready),
-    .o__valid(\i__valid$51 ),
+    .i__payload(\i__payload$53 ),
+    .i__ready(\i__ready$55 ),
+    .i__valid(\i__valid$57 ),
+    .o__ready(\o__ready$61 ),
+    .o__valid(\i__valid$63 ),
     .open(open),
+    .\port$1263$0 (shape[31:0]),
     .rst(rst),
-    .shape(shape),
-    .soft_reset(\port$1170$0 [3]),
+    .soft_reset(\port$1176$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
     .beats_per_pixel(shape[147:132]),
     .clk(clk),
-    .i__payload(i__payload[63:0]),
-    .i__ready(o__ready),
-    .i__valid(\i__valid$51 ),
-    .o__payload(\i__payload$53 ),
-    .o__ready(\o__ready$55 ),
-    .o__valid(\i__valid$57 ),
-    .\port$1255$79 (shape[92:79]),
+    .i__payload(\i__payload$53 [63:0]),
+    .i__ready(\o__ready$61 ),
+    .i__valid(\i__valid$63 ),
+    .o__payload(\i__payload$65 ),
+    .o__ready(\o__ready$67 ),
+    .o__valid(\i__valid$69 ),
+    .\port$1263$79 (shape[92:79]),
     .rst(rst),
-    .soft_reset(\port$1170$0 [3])
+    .soft_reset(\port$1176$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
     .group_written(group_written),
-    .i__payload(\i__payload$53 ),
-    .i__ready(\o__ready$55 ),
-    .i__valid(\i__valid$57 ),
+    .i__payload(\i__payload$65 ),
+    .i__ready(\o__ready$67 ),
+    .i__valid(\i__valid$69 ),
     .image_written(image_written),
     .read(step[14:0]),
     .retire(retire),
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1170$0 [3]),
+    .soft_reset(\port$1176$0 [3]),
     .start(start),
     .word(activations)
   );
   \macram_top.array.loader  loader (
     .base(base),
     .clk(clk),
-    .error(\error$637 ),
-    .fault(\fault$635 ),
-    .i__payload(\i__payload$71 ),
+    .error(\error$642 ),
+    .fault(\fault$640 ),
+    .i__payload(\i__payload$74 ),
     .i__ready(loading),
-    .i__valid(\i__valid$75 ),
-    .\port$1507$0 (\$66 ),
-    .\port$1509$0 (\$67 ),
-    .\port$1511$0 (\$68 ),
+    .i__valid(\i__valid$78 ),
+    .\port$1515$0 (\$68 ),
+    .\port$1517$0 (\$69 ),
+    .\port$1519$0 (\$70 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1170$0 [3]),
+    .soft_reset(\port$1176$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
     .to_requant(to_requant),
@@ -2542,7 +2553,7 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1170$0 [3]),
+    .soft_reset(\port$1176$0 [3]),
     .start(start),
     .starved(starved),
     .\step$45 (step),
@@ -2554,50 +2565,50 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
     .clk(clk),
     .core__activations(activations),
     .core__chain_i(chain_i),
-    .core__control(control3),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[0])
   );
   \macram_top.array.unit001  unit001 (
     .address(step[24:15]),
-    .chain_o(\chain_o$130 ),
+    .chain_o(\chain_o$136 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$131 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$137 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[1])
   );
   \macram_top.array.unit002  unit002 (
     .address(step[24:15]),
-    .chain_o(\chain_o$139 ),
+    .chain_o(\chain_o$145 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$140 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$146 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[2])
   );
   \macram_top.array.unit003  unit003 (
     .address(step[24:15]),
-    .chain_o(\chain_o$148 ),
+    .chain_o(\chain_o$154 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$149 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$155 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[3])
   );
   \macram_top.array.unit004  unit004 (
@@ -2605,828 +2616,828 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
     .chain_o(chain_i),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$157 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$163 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[4])
   );
   \macram_top.array.unit005  unit005 (
     .address(step[24:15]),
-    .chain_o(\chain_i$131 ),
+    .chain_o(\chain_i$137 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$165 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$171 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[5])
   );
   \macram_top.array.unit006  unit006 (
     .address(step[24:15]),
-    .chain_o(\chain_i$140 ),
+    .chain_o(\chain_i$146 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$173 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$179 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[6])
   );
   \macram_top.array.unit007  unit007 (
     .address(step[24:15]),
-    .chain_o(\chain_i$149 ),
+    .chain_o(\chain_i$155 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$181 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$187 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[7])
   );
   \macram_top.array.unit008  unit008 (
     .address(step[24:15]),
-    .chain_o(\chain_i$157 ),
+    .chain_o(\chain_i$163 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$189 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$195 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[8])
   );
   \macram_top.array.unit009  unit009 (
     .address(step[24:15]),
-    .chain_o(\chain_i$165 ),
+    .chain_o(\chain_i$171 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$197 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$203 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[9])
   );
   \macram_top.array.unit010  unit010 (
     .address(step[24:15]),
-    .chain_o(\chain_i$173 ),
+    .chain_o(\chain_i$179 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$205 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$211 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[10])
   );
   \macram_top.array.unit011  unit011 (
     .address(step[24:15]),
-    .chain_o(\chain_i$181 ),
+    .chain_o(\chain_i$187 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$213 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$219 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[11])
   );
   \macram_top.array.unit012  unit012 (
     .address(step[24:15]),
-    .chain_o(\chain_i$189 ),
+    .chain_o(\chain_i$195 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$221 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$227 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[12])
   );
   \macram_top.array.unit013  unit013 (
     .address(step[24:15]),
-    .chain_o(\chain_i$197 ),
+    .chain_o(\chain_i$203 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$229 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$235 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[13])
   );
   \macram_top.array.unit014  unit014 (
     .address(step[24:15]),
-    .chain_o(\chain_i$205 ),
+    .chain_o(\chain_i$211 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$237 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$243 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[14])
   );
   \macram_top.array.unit015  unit015 (
     .address(step[24:15]),
-    .chain_o(\chain_i$213 ),
+    .chain_o(\chain_i$219 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$245 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$251 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[15])
   );
   \macram_top.array.unit016  unit016 (
     .address(step[24:15]),
-    .chain_o(\chain_i$221 ),
+    .chain_o(\chain_i$227 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$253 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$259 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[16])
   );
   \macram_top.array.unit017  unit017 (
     .address(step[24:15]),
-    .chain_o(\chain_i$229 ),
+    .chain_o(\chain_i$235 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$261 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$267 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[17])
   );
   \macram_top.array.unit018  unit018 (
     .address(step[24:15]),
-    .chain_o(\chain_i$237 ),
+    .chain_o(\chain_i$243 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$269 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$275 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[18])
   );
   \macram_top.array.unit019  unit019 (
     .address(step[24:15]),
-    .chain_o(\chain_i$245 ),
+    .chain_o(\chain_i$251 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$277 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$283 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[19])
   );
   \macram_top.array.unit020  unit020 (
     .address(step[24:15]),
-    .chain_o(\chain_i$253 ),
+    .chain_o(\chain_i$259 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$285 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$291 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[20])
   );
   \macram_top.array.unit021  unit021 (
     .address(step[24:15]),
-    .chain_o(\chain_i$261 ),
+    .chain_o(\chain_i$267 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$293 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$299 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[21])
   );
   \macram_top.array.unit022  unit022 (
     .address(step[24:15]),
-    .chain_o(\chain_i$269 ),
+    .chain_o(\chain_i$275 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$301 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$307 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[22])
   );
   \macram_top.array.unit023  unit023 (
     .address(step[24:15]),
-    .chain_o(\chain_i$277 ),
+    .chain_o(\chain_i$283 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$309 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$315 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[23])
   );
   \macram_top.array.unit024  unit024 (
     .address(step[24:15]),
-    .chain_o(\chain_i$285 ),
+    .chain_o(\chain_i$291 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$317 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$323 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[24])
   );
   \macram_top.array.unit025  unit025 (
     .address(step[24:15]),
-    .chain_o(\chain_i$293 ),
+    .chain_o(\chain_i$299 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$325 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$331 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[25])
   );
   \macram_top.array.unit026  unit026 (
     .address(step[24:15]),
-    .chain_o(\chain_i$301 ),
+    .chain_o(\chain_i$307 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$333 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$339 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[26])
   );
   \macram_top.array.unit027  unit027 (
     .address(step[24:15]),
-    .chain_o(\chain_i$309 ),
+    .chain_o(\chain_i$315 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$341 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$347 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[27])
   );
   \macram_top.array.unit028  unit028 (
     .address(step[24:15]),
-    .chain_o(\chain_i$317 ),
+    .chain_o(\chain_i$323 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$349 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$355 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[28])
   );
   \macram_top.array.unit029  unit029 (
     .address(step[24:15]),
-    .chain_o(\chain_i$325 ),
+    .chain_o(\chain_i$331 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$357 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$363 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[29])
   );
   \macram_top.array.unit030  unit030 (
     .address(step[24:15]),
-    .chain_o(\chain_i$333 ),
+    .chain_o(\chain_i$339 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$365 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$371 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[30])
   );
   \macram_top.array.unit031  unit031 (
     .address(step[24:15]),
-    .chain_o(\chain_i$341 ),
+    .chain_o(\chain_i$347 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$373 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$379 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[31])
   );
   \macram_top.array.unit032  unit032 (
     .address(step[24:15]),
-    .chain_o(\chain_i$349 ),
+    .chain_o(\chain_i$355 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$381 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$387 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[32])
   );
   \macram_top.array.unit033  unit033 (
     .address(step[24:15]),
-    .chain_o(\chain_i$357 ),
+    .chain_o(\chain_i$363 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$389 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$395 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[33])
   );
   \macram_top.array.unit034  unit034 (
     .address(step[24:15]),
-    .chain_o(\chain_i$365 ),
+    .chain_o(\chain_i$371 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$397 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$403 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[34])
   );
   \macram_top.array.unit035  unit035 (
     .address(step[24:15]),
-    .chain_o(\chain_i$373 ),
+    .chain_o(\chain_i$379 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$405 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$411 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[35])
   );
   \macram_top.array.unit036  unit036 (
     .address(step[24:15]),
-    .chain_o(\chain_i$381 ),
+    .chain_o(\chain_i$387 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$413 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$419 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[36])
   );
   \macram_top.array.unit037  unit037 (
     .address(step[24:15]),
-    .chain_o(\chain_i$389 ),
+    .chain_o(\chain_i$395 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$421 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$427 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[37])
   );
   \macram_top.array.unit038  unit038 (
     .address(step[24:15]),
-    .chain_o(\chain_i$397 ),
+    .chain_o(\chain_i$403 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$429 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$435 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[38])
   );
   \macram_top.array.unit039  unit039 (
     .address(step[24:15]),
-    .chain_o(\chain_i$405 ),
+    .chain_o(\chain_i$411 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$437 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$443 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[39])
   );
   \macram_top.array.unit040  unit040 (
     .address(step[24:15]),
-    .chain_o(\chain_i$413 ),
+    .chain_o(\chain_i$419 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$445 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$451 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[40])
   );
   \macram_top.array.unit041  unit041 (
     .address(step[24:15]),
-    .chain_o(\chain_i$421 ),
+    .chain_o(\chain_i$427 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$453 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$459 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[41])
   );
   \macram_top.array.unit042  unit042 (
     .address(step[24:15]),
-    .chain_o(\chain_i$429 ),
+    .chain_o(\chain_i$435 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$461 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$467 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[42])
   );
   \macram_top.array.unit043  unit043 (
     .address(step[24:15]),
-    .chain_o(\chain_i$437 ),
+    .chain_o(\chain_i$443 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$469 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$475 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[43])
   );
   \macram_top.array.unit044  unit044 (
     .address(step[24:15]),
-    .chain_o(\chain_i$445 ),
+    .chain_o(\chain_i$451 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$477 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$483 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[44])
   );
   \macram_top.array.unit045  unit045 (
     .address(step[24:15]),
-    .chain_o(\chain_i$453 ),
+    .chain_o(\chain_i$459 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$485 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$491 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[45])
   );
   \macram_top.array.unit046  unit046 (
     .address(step[24:15]),
-    .chain_o(\chain_i$461 ),
+    .chain_o(\chain_i$467 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$493 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$499 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[46])
   );
   \macram_top.array.unit047  unit047 (
     .address(step[24:15]),
-    .chain_o(\chain_i$469 ),
+    .chain_o(\chain_i$475 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$501 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$507 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[47])
   );
   \macram_top.array.unit048  unit048 (
     .address(step[24:15]),
-    .chain_o(\chain_i$477 ),
+    .chain_o(\chain_i$483 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$509 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$515 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[48])
   );
   \macram_top.array.unit049  unit049 (
     .address(step[24:15]),
-    .chain_o(\chain_i$485 ),
+    .chain_o(\chain_i$491 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$517 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$523 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[49])
   );
   \macram_top.array.unit050  unit050 (
     .address(step[24:15]),
-    .chain_o(\chain_i$493 ),
+    .chain_o(\chain_i$499 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$525 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$531 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[50])
   );
   \macram_top.array.unit051  unit051 (
     .address(step[24:15]),
-    .chain_o(\chain_i$501 ),
+    .chain_o(\chain_i$507 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$533 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$539 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[51])
   );
   \macram_top.array.unit052  unit052 (
     .address(step[24:15]),
-    .chain_o(\chain_i$509 ),
+    .chain_o(\chain_i$515 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$541 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$547 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[52])
   );
   \macram_top.array.unit053  unit053 (
     .address(step[24:15]),
-    .chain_o(\chain_i$517 ),
+    .chain_o(\chain_i$523 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$549 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$555 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[53])
   );
   \macram_top.array.unit054  unit054 (
     .address(step[24:15]),
-    .chain_o(\chain_i$525 ),
+    .chain_o(\chain_i$531 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$557 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$563 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[54])
   );
   \macram_top.array.unit055  unit055 (
     .address(step[24:15]),
-    .chain_o(\chain_i$533 ),
+    .chain_o(\chain_i$539 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$565 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$571 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[55])
   );
   \macram_top.array.unit056  unit056 (
     .address(step[24:15]),
-    .chain_o(\chain_i$541 ),
+    .chain_o(\chain_i$547 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$573 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$579 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[56])
   );
   \macram_top.array.unit057  unit057 (
     .address(step[24:15]),
-    .chain_o(\chain_i$549 ),
+    .chain_o(\chain_i$555 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$581 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$587 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[57])
   );
   \macram_top.array.unit058  unit058 (
     .address(step[24:15]),
-    .chain_o(\chain_i$557 ),
+    .chain_o(\chain_i$563 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$589 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$595 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[58])
   );
   \macram_top.array.unit059  unit059 (
     .address(step[24:15]),
-    .chain_o(\chain_i$565 ),
+    .chain_o(\chain_i$571 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$597 ),
-    .core__control(control3),
+    .core__chain_i(\chain_i$603 ),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[59])
   );
   \macram_top.array.unit060  unit060 (
     .address(step[24:15]),
-    .chain_o(\chain_i$573 ),
+    .chain_o(\chain_i$579 ),
     .clk(clk),
     .core__activations(activations),
-    .core__control(control3),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[60])
   );
   \macram_top.array.unit061  unit061 (
     .address(step[24:15]),
-    .chain_o(\chain_i$581 ),
+    .chain_o(\chain_i$587 ),
     .clk(clk),
     .core__activations(activations),
-    .core__control(control3),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[61])
   );
   \macram_top.array.unit062  unit062 (
     .address(step[24:15]),
-    .chain_o(\chain_i$589 ),
+    .chain_o(\chain_i$595 ),
     .clk(clk),
     .core__activations(activations),
-    .core__control(control3),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[62])
   );
   \macram_top.array.unit063  unit063 (
     .address(step[24:15]),
-    .chain_o(\chain_i$597 ),
+    .chain_o(\chain_i$603 ),
     .clk(clk),
     .core__activations(activations),
-    .core__control(control3),
+    .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$66 ),
-    .write__data(\$68 [647:576]),
+    .write__addr(\$68 ),
+    .write__data(\$70 [647:576]),
     .write__en(unit_en[63])
   );
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$signal$35  = 3'h0;
-    if (\$11 ) begin
-      \$signal$35  = 3'h5;
-    end else if (\port$1170$0 [0]) begin
+    \$signal$45  = 3'h0;
+    if (\$15 ) begin
+      \$signal$45  = 3'h5;
+    end else if (\port$1176$0 [0]) begin
       if (busy) begin
-        \$signal$35  = 3'h5;
+        \$signal$45  = 3'h5;
       end
-    end else if (\$signal$33 ) begin
+    end else if (\$signal$43 ) begin
       if (loading) begin
-        \$signal$35  = 3'h5;
-      end else if (\$15 ) begin
-        \$signal$35  = 3'h6;
+        \$signal$45  = 3'h5;
+      end else if (\$19 ) begin
+        \$signal$45  = 3'h6;
       end
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_weights = 1'h0;
-    if (\$11 ) begin
-    end else if (\port$1170$0 [0]) begin
-    end else if (\$signal$33 ) begin
+    if (\$15 ) begin
+    end else if (\port$1176$0 [0]) begin
+    end else if (\$signal$43 ) begin
       (* full_case = 32'd1 *)
       if (loading) begin
-      end else if (\$15 ) begin
+      end else if (\$19 ) begin
       end else begin
-        start_weights = \port$1170$0 [1];
+        start_weights = \port$1176$0 [1];
       end
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_requant = 1'h0;
-    if (\$11 ) begin
-    end else if (\port$1170$0 [0]) begin
-    end else if (\$signal$33 ) begin
+    if (\$15 ) begin
+    end else if (\port$1176$0 [0]) begin
+    end else if (\$signal$43 ) begin
       (* full_case = 32'd1 *)
       if (loading) begin
-      end else if (\$15 ) begin
+      end else if (\$19 ) begin
       end else begin
-        start_requant = \port$1170$0 [2];
+        start_requant = \port$1176$0 [2];
       end
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     verdict = 3'h0;
-    if (\$16 ) begin
+    if (\$20 ) begin
       (* full_case = 32'd1 *)
-      if (\$19 ) begin
+      if (\$23 ) begin
         verdict = 3'h6;
       end else begin
         verdict = error;
@@ -3436,49 +3447,19 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start = 1'h0;
-    if (\$16 ) begin
-      start = \$20 ;
+    if (\$20 ) begin
+      start = \$24 ;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$48  = \wait ;
-    if (\$26 ) begin
-    end else if (\port$1170$0 [0]) begin
-      (* full_case = 32'd1 *)
-      if (busy) begin
-      end else begin
-        \$48  = 2'h3;
-      end
-    end
-    if (\$27 ) begin
-      \$48  = \$28 [1:0];
-    end
-    if (\port$1170$0 [3]) begin
-      \$48  = 2'h0;
-    end
-    if (rst) begin
-      \$48  = 2'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$49  = done;
-    if (\$26 ) begin
-    end else if (\port$1170$0 [0]) begin
-      (* full_case = 32'd1 *)
-      if (busy) begin
-      end else begin
-        \$49  = 1'h0;
-      end
-    end
-    if (\$34 ) begin
+    \$49  = last_beat_gone0;
+    if (start) begin
+      \$49  = 1'h0;
+    end else if (last_beat0) begin
       \$49  = 1'h1;
     end
-    if (\$35 ) begin
-      \$49  = 1'h0;
-    end
-    if (\port$1170$0 [3]) begin
+    if (\port$1176$0 [3]) begin
       \$49  = 1'h0;
     end
     if (rst) begin
@@ -3487,141 +3468,154 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$50  = running;
+    \$50  = \wait ;
     if (\$29 ) begin
-      \$50  = start;
-    end
-    if (\$34 ) begin
-      \$50  = 1'h0;
-    end
-    if (\port$1170$0 [3]) begin
-      \$50  = 1'h0;
-    end
-    if (rst) begin
-      \$50  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$51  = delivered;
-    if (\$31 ) begin
-      \$51  = 1'h1;
-    end
-    if (\$34 ) begin
-      \$51  = 1'h0;
-    end
-    if (\port$1170$0 [3]) begin
-      \$51  = 1'h0;
-    end
-    if (rst) begin
-      \$51  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$52  = \error$633 ;
-    if (\$35 ) begin
-      \$52  = \$signal$35 ;
-    end else if (\$36 ) begin
-      if (\$37 ) begin
-        \$52  = \$signal$35 ;
-      end else if (\$38 ) begin
-        \$52  = verdict;
-      end else if (fault) begin
-        \$52  = \error$636 ;
-      end else if (\fault$635 ) begin
-        \$52  = \error$637 ;
+    end else if (\port$1176$0 [0]) begin
+      (* full_case = 32'd1 *)
+      if (busy) begin
+      end else begin
+        \$50  = 2'h3;
       end
     end
-    if (\port$1170$0 [3]) begin
-      \$52  = 3'h0;
+    if (\$30 ) begin
+      \$50  = \$31 [1:0];
+    end
+    if (\port$1176$0 [3]) begin
+      \$50  = 2'h0;
     end
     if (rst) begin
-      \$52  = 3'h0;
+      \$50  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$53  = step[32:25];
-    if (\port$1170$0 [3]) begin
-      \$53  = 8'h00;
+    \$51  = done;
+    if (\$29 ) begin
+    end else if (\port$1176$0 [0]) begin
+      (* full_case = 32'd1 *)
+      if (busy) begin
+      end else begin
+        \$51  = 1'h0;
+      end
+    end
+    if (\$35 ) begin
+      \$51  = 1'h1;
+    end
+    if (\$36 ) begin
+      \$51  = 1'h0;
+    end
+    if (\port$1176$0 [3]) begin
+      \$51  = 1'h0;
     end
     if (rst) begin
-      \$53  = 8'h00;
+      \$51  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$54  = control0;
-    if (\port$1170$0 [3]) begin
-      \$54  = 8'h00;
+    \$52  = running;
+    if (\$32 ) begin
+      \$52  = start;
+    end
+    if (\$35 ) begin
+      \$52  = 1'h0;
+    end
+    if (\port$1176$0 [3]) begin
+      \$52  = 1'h0;
     end
     if (rst) begin
-      \$54  = 8'h00;
+      \$52  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$55  = control1;
-    if (\port$1170$0 [3]) begin
-      \$55  = 8'h00;
-    end
-    if (rst) begin
-      \$55  = 8'h00;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$56  = control2;
-    if (\port$1170$0 [3]) begin
-      \$56  = 8'h00;
-    end
-    if (rst) begin
-      \$56  = 8'h00;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$57  = \$signal$626 ;
-    if (\$signal$623 ) begin
-      \$57  = 1'h1;
-    end
-    if (start) begin
-      \$57  = 1'h0;
-    end
-    if (\port$1170$0 [3]) begin
-      \$57  = 1'h0;
-    end
-    if (rst) begin
-      \$57  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$58  = \$signal$645 ;
-    if (issue) begin
-      \$58  = 1'h1;
-    end
-    if (start) begin
-      \$58  = 1'h0;
-    end
-    if (\port$1170$0 [3]) begin
-      \$58  = 1'h0;
-    end
-    if (rst) begin
-      \$58  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$59  = ended;
+    \$53  = delivered;
     if (last_beat) begin
+      \$53  = 1'h1;
+    end
+    if (\$35 ) begin
+      \$53  = 1'h0;
+    end
+    if (\port$1176$0 [3]) begin
+      \$53  = 1'h0;
+    end
+    if (rst) begin
+      \$53  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$54  = \error$638 ;
+    if (\$36 ) begin
+      \$54  = \$signal$45 ;
+    end else if (\$37 ) begin
+      if (\$38 ) begin
+        \$54  = \$signal$45 ;
+      end else if (\$39 ) begin
+        \$54  = verdict;
+      end else if (fault) begin
+        \$54  = \error$641 ;
+      end else if (\fault$640 ) begin
+        \$54  = \error$642 ;
+      end
+    end
+    if (\port$1176$0 [3]) begin
+      \$54  = 3'h0;
+    end
+    if (rst) begin
+      \$54  = 3'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$55  = step[32:25];
+    if (\port$1176$0 [3]) begin
+      \$55  = 8'h00;
+    end
+    if (rst) begin
+      \$55  = 8'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$56  = control0;
+    if (\port$1176$0 [3]) begin
+      \$56  = 8'h00;
+    end
+    if (rst) begin
+      \$56  = 8'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$57  = control1;
+    if (\port$1176$0 [3]) begin
+      \$57  = 8'h00;
+    end
+    if (rst) begin
+      \$57  = 8'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$58  = control;
+    if (\port$1176$0 [3]) begin
+      \$58  = 8'h00;
+    end
+    if (rst) begin
+      \$58  = 8'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$59  = \$signal$631 ;
+    if (first_beat) begin
       \$59  = 1'h1;
     end
     if (start) begin
       \$59  = 1'h0;
     end
-    if (\port$1170$0 [3]) begin
+    if (\port$1176$0 [3]) begin
       \$59  = 1'h0;
     end
     if (rst) begin
@@ -3630,622 +3624,664 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$60  = cycles;
-    if (\$signal$625 ) begin
-      \$60  = \$39 [31:0];
+    \$60  = \$signal$649 ;
+    if (issue) begin
+      \$60  = 1'h1;
     end
     if (start) begin
-      \$60  = 32'd0;
+      \$60  = 1'h0;
     end
-    if (\port$1170$0 [3]) begin
-      \$60  = 32'd0;
+    if (\port$1176$0 [3]) begin
+      \$60  = 1'h0;
     end
     if (rst) begin
-      \$60  = 32'd0;
+      \$60  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$61  = mac_cycles;
-    if (\$signal$625 ) begin
+    \$61  = ended;
+    if (last_beat) begin
+      \$61  = 1'h1;
+    end
+    if (start) begin
+      \$61  = 1'h0;
+    end
+    if (\port$1176$0 [3]) begin
+      \$61  = 1'h0;
+    end
+    if (rst) begin
+      \$61  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$62  = cycles;
+    if (\$signal$630 ) begin
+      \$62  = \$40 [31:0];
+    end
+    if (start) begin
+      \$62  = 32'd0;
+    end
+    if (\port$1176$0 [3]) begin
+      \$62  = 32'd0;
+    end
+    if (rst) begin
+      \$62  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$63  = mac_cycles;
+    if (\$signal$630 ) begin
       if (issue) begin
-        \$61  = \$43 [31:0];
+        \$63  = \$44 [31:0];
       end
     end
     if (start) begin
-      \$61  = 32'd0;
+      \$63  = 32'd0;
     end
-    if (\port$1170$0 [3]) begin
-      \$61  = 32'd0;
+    if (\port$1176$0 [3]) begin
+      \$63  = 32'd0;
     end
     if (rst) begin
-      \$61  = 32'd0;
+      \$63  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$62  = fill_cycles;
-    if (\$signal$625 ) begin
+    \$64  = fill_cycles;
+    if (\$signal$630 ) begin
       if (issue) begin
-      end else if (\$40 ) begin
-        \$62  = \$44 [31:0];
+      end else if (\$41 ) begin
+        \$64  = \$45 [31:0];
       end
     end
     if (start) begin
-      \$62  = 32'd0;
+      \$64  = 32'd0;
     end
-    if (\port$1170$0 [3]) begin
-      \$62  = 32'd0;
+    if (\port$1176$0 [3]) begin
+      \$64  = 32'd0;
     end
     if (rst) begin
-      \$62  = 32'd0;
+      \$64  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$63  = input_stalls;
-    if (\$signal$625 ) begin
+    \$65  = input_stalls;
+    if (\$signal$630 ) begin
       if (issue) begin
-      end else if (\$40 ) begin
+      end else if (\$41 ) begin
       end else if (starved) begin
-        \$63  = \$45 [31:0];
+        \$65  = \$46 [31:0];
       end
     end
     if (start) begin
-      \$63  = 32'd0;
+      \$65  = 32'd0;
     end
-    if (\port$1170$0 [3]) begin
-      \$63  = 32'd0;
+    if (\port$1176$0 [3]) begin
+      \$65  = 32'd0;
     end
     if (rst) begin
-      \$63  = 32'd0;
+      \$65  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$64  = output_stalls;
-    if (\$signal$625 ) begin
+    \$66  = output_stalls;
+    if (\$signal$630 ) begin
       if (issue) begin
-      end else if (\$40 ) begin
+      end else if (\$41 ) begin
       end else if (starved) begin
-      end else if (\$42 ) begin
-        \$64  = \$46 [31:0];
+      end else if (\$43 ) begin
+        \$66  = \$47 [31:0];
       end
     end
     if (start) begin
-      \$64  = 32'd0;
+      \$66  = 32'd0;
     end
-    if (\port$1170$0 [3]) begin
-      \$64  = 32'd0;
+    if (\port$1176$0 [3]) begin
+      \$66  = 32'd0;
     end
     if (rst) begin
-      \$64  = 32'd0;
+      \$66  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$65  = drain_cycles;
-    if (\$signal$625 ) begin
+    \$67  = drain_cycles;
+    if (\$signal$630 ) begin
       (* full_case = 32'd1 *)
       if (issue) begin
-      end else if (\$40 ) begin
+      end else if (\$41 ) begin
       end else if (starved) begin
-      end else if (\$42 ) begin
+      end else if (\$43 ) begin
       end else begin
-        \$65  = \$47 [31:0];
+        \$67  = \$48 [31:0];
       end
     end
     if (start) begin
-      \$65  = 32'd0;
+      \$67  = 32'd0;
     end
-    if (\port$1170$0 [3]) begin
-      \$65  = 32'd0;
+    if (\port$1176$0 [3]) begin
+      \$67  = 32'd0;
     end
     if (rst) begin
-      \$65  = 32'd0;
+      \$67  = 32'd0;
     end
   end
-  assign \height$1  = height;
-  assign \width$3  = width;
-  assign \c_in$5  = c_in;
-  assign \c_out$7  = c_out;
-  assign \mode$9  = mode;
-  assign \weight_base$11  = weight_base;
-  assign \requant_base$13  = requant_base;
-  assign \words$15  = words;
+  assign o__payload = i__payload;
+  assign i__ready = o__ready;
+  assign o__valid = i__valid;
+  assign \height$13  = height;
+  assign \width$15  = width;
+  assign \c_in$17  = c_in;
+  assign \c_out$19  = c_out;
+  assign \mode$21  = mode;
+  assign \weight_base$23  = weight_base;
+  assign \requant_base$25  = requant_base;
+  assign \words$27  = words;
   assign param_base = base;
-  assign \shape$19  = shape;
-  assign \busy$24  = loading;
-  assign command = \port$1170$0 [2:0];
-  assign \i__payload$42  = i__payload;
-  assign \i__ready$44  = i__ready;
-  assign \i__valid$46  = i__valid;
-  assign \i__payload$47  = i__payload[63:0];
-  assign o__payload = i__payload[63:0];
-  assign \i__ready$50  = o__ready;
-  assign o__valid = \i__valid$51 ;
-  assign \o__payload$54  = \i__payload$53 ;
-  assign \i__ready$56  = \o__ready$55 ;
-  assign \o__valid$58  = \i__valid$57 ;
-  assign \o__payload$60  = \i__payload$59 ;
+  assign \busy$34  = loading;
+  assign command = \port$1176$0 [2:0];
+  assign \shape$52  = shape;
+  assign \i__payload$54  = \i__payload$53 ;
+  assign \i__ready$56  = \i__ready$55 ;
+  assign \i__valid$58  = \i__valid$57 ;
+  assign \i__payload$59  = \i__payload$53 [63:0];
+  assign \o__payload$60  = \i__payload$53 [63:0];
   assign \i__ready$62  = \o__ready$61 ;
   assign \o__valid$64  = \i__valid$63 ;
-  assign \o__payload$66  = \o__payload$65 ;
-  assign \o__ready$68  = \o__ready$67 ;
-  assign \o__valid$70  = \o__valid$69 ;
-  assign params__payload = \i__payload$71 ;
+  assign \o__payload$66  = \i__payload$65 ;
+  assign \i__ready$68  = \o__ready$67 ;
+  assign \o__valid$70  = \i__valid$69 ;
+  assign \o__payload$71  = \o__payload$9 ;
+  assign \o__ready$72  = \o__ready$8 ;
+  assign \o__valid$73  = \o__valid$7 ;
+  assign params__payload = \i__payload$74 ;
   assign params__ready = loading;
-  assign \i__ready$74  = loading;
-  assign params__valid = \i__valid$75 ;
-  assign \shape$77  = shape;
-  assign \shape$78  = shape;
-  assign \shape$79  = shape;
+  assign \i__ready$77  = loading;
+  assign params__valid = \i__valid$78 ;
   assign \shape$80  = shape;
-  assign \start$81  = start;
-  assign \start$82  = start;
-  assign \start$83  = start;
-  assign \start$84  = start;
+  assign \shape$81  = shape;
+  assign \shape$82  = shape;
+  assign beats = shape[147:132];
+  assign \width$84  = shape[31:16];
+  assign \height$85  = shape[15:0];
+  assign \start$86  = start;
+  assign \start$87  = start;
+  assign \start$88  = start;
+  assign \start$89  = start;
   assign beats_per_pixel = shape[147:132];
   assign words_per_pixel = { 2'h0, shape[92:79] };
-  assign \beats_per_pixel$87  = shape[163:148];
-  assign \retire$89  = retire;
-  assign \retire_row$91  = retire_row;
-  assign \weight_base$92  = weight_base[9:0];
-  assign \requant_base$93  = requant_base[7:0];
+  assign \beats_per_pixel$92  = shape[163:148];
+  assign \retire$94  = retire;
+  assign \retire_row$96  = retire_row;
+  assign \weight_base$97  = weight_base[9:0];
+  assign \requant_base$98  = requant_base[7:0];
   assign read = step[14:0];
-  assign \group_written$97  = group_written;
-  assign \image_written$99  = image_written;
-  assign \credit$101  = credit;
+  assign \group_written$102  = group_written;
+  assign \image_written$104  = image_written;
+  assign \credit$106  = credit;
   assign requant_en = write_en;
-  assign write = { \$68 , \$67  };
-  assign requant = { \$68 , \$67  };
+  assign write = { \$70 , \$69  };
+  assign requant = { \$70 , \$69  };
   assign info3 = info;
   assign address = step[24:15];
-  assign \write_en$111  = unit_en[0];
-  assign \write$113  = { \$68 [647:576], \$66  };
-  assign weight = { \$68 [647:576], \$66  };
+  assign \write_en$116  = unit_en[0];
+  assign \write$118  = { \$70 [647:576], \$68  };
+  assign weight = { \$70 [647:576], \$68  };
   assign word = activations;
-  assign control = control3;
-  assign \shift$119  = shift;
-  assign \chain_o$123  = chain_i;
-  assign \address$124  = step[24:15];
-  assign \write_en$125  = unit_en[1];
-  assign \write$126  = { \$68 [647:576], \$66  };
-  assign \activations$127  = activations;
-  assign \control$128  = control3;
-  assign \shift$129  = shift;
-  assign \chain_o$132  = \chain_i$131 ;
-  assign \address$133  = step[24:15];
-  assign \write_en$134  = unit_en[2];
-  assign \write$135  = { \$68 [647:576], \$66  };
-  assign \activations$136  = activations;
-  assign \control$137  = control3;
-  assign \shift$138  = shift;
-  assign \chain_o$141  = \chain_i$140 ;
-  assign \address$142  = step[24:15];
-  assign \write_en$143  = unit_en[3];
-  assign \write$144  = { \$68 [647:576], \$66  };
-  assign \activations$145  = activations;
-  assign \control$146  = control3;
-  assign \shift$147  = shift;
-  assign \chain_o$150  = \chain_i$149 ;
-  assign \address$151  = step[24:15];
-  assign \write_en$152  = unit_en[4];
-  assign \write$153  = { \$68 [647:576], \$66  };
-  assign \activations$154  = activations;
-  assign \control$155  = control3;
-  assign \shift$156  = shift;
-  assign \chain_o$158  = \chain_i$157 ;
-  assign \address$159  = step[24:15];
-  assign \write_en$160  = unit_en[5];
-  assign \write$161  = { \$68 [647:576], \$66  };
-  assign \activations$162  = activations;
-  assign \control$163  = control3;
-  assign \shift$164  = shift;
-  assign \chain_o$166  = \chain_i$165 ;
-  assign \address$167  = step[24:15];
-  assign \write_en$168  = unit_en[6];
-  assign \write$169  = { \$68 [647:576], \$66  };
-  assign \activations$170  = activations;
-  assign \control$171  = control3;
-  assign \shift$172  = shift;
-  assign \chain_o$174  = \chain_i$173 ;
-  assign \address$175  = step[24:15];
-  assign \write_en$176  = unit_en[7];
-  assign \write$177  = { \$68 [647:576], \$66  };
-  assign \activations$178  = activations;
-  assign \control$179  = control3;
-  assign \shift$180  = shift;
-  assign \chain_o$182  = \chain_i$181 ;
-  assign \address$183  = step[24:15];
-  assign \write_en$184  = unit_en[8];
-  assign \write$185  = { \$68 [647:576], \$66  };
-  assign \activations$186  = activations;
-  assign \control$187  = control3;
-  assign \shift$188  = shift;
-  assign \chain_o$190  = \chain_i$189 ;
-  assign \address$191  = step[24:15];
-  assign \write_en$192  = unit_en[9];
-  assign \write$193  = { \$68 [647:576], \$66  };
-  assign \activations$194  = activations;
-  assign \control$195  = control3;
-  assign \shift$196  = shift;
-  assign \chain_o$198  = \chain_i$197 ;
-  assign \address$199  = step[24:15];
-  assign \write_en$200  = unit_en[10];
-  assign \write$201  = { \$68 [647:576], \$66  };
-  assign \activations$202  = activations;
-  assign \control$203  = control3;
-  assign \shift$204  = shift;
-  assign \chain_o$206  = \chain_i$205 ;
-  assign \address$207  = step[24:15];
-  assign \write_en$208  = unit_en[11];
-  assign \write$209  = { \$68 [647:576], \$66  };
-  assign \activations$210  = activations;
-  assign \control$211  = control3;
-  assign \shift$212  = shift;
-  assign \chain_o$214  = \chain_i$213 ;
-  assign \address$215  = step[24:15];
-  assign \write_en$216  = unit_en[12];
-  assign \write$217  = { \$68 [647:576], \$66  };
-  assign \activations$218  = activations;
-  assign \control$219  = control3;
-  assign \shift$220  = shift;
-  assign \chain_o$222  = \chain_i$221 ;
-  assign \address$223  = step[24:15];
-  assign \write_en$224  = unit_en[13];
-  assign \write$225  = { \$68 [647:576], \$66  };
-  assign \activations$226  = activations;
-  assign \control$227  = control3;
-  assign \shift$228  = shift;
-  assign \chain_o$230  = \chain_i$229 ;
-  assign \address$231  = step[24:15];
-  assign \write_en$232  = unit_en[14];
-  assign \write$233  = { \$68 [647:576], \$66  };
-  assign \activations$234  = activations;
-  assign \control$235  = control3;
-  assign \shift$236  = shift;
-  assign \chain_o$238  = \chain_i$237 ;
-  assign \address$239  = step[24:15];
-  assign \write_en$240  = unit_en[15];
-  assign \write$241  = { \$68 [647:576], \$66  };
-  assign \activations$242  = activations;
-  assign \control$243  = control3;
-  assign \shift$244  = shift;
-  assign \chain_o$246  = \chain_i$245 ;
-  assign \address$247  = step[24:15];
-  assign \write_en$248  = unit_en[16];
-  assign \write$249  = { \$68 [647:576], \$66  };
-  assign \activations$250  = activations;
-  assign \control$251  = control3;
-  assign \shift$252  = shift;
-  assign \chain_o$254  = \chain_i$253 ;
-  assign \address$255  = step[24:15];
-  assign \write_en$256  = unit_en[17];
-  assign \write$257  = { \$68 [647:576], \$66  };
-  assign \activations$258  = activations;
-  assign \control$259  = control3;
-  assign \shift$260  = shift;
-  assign \chain_o$262  = \chain_i$261 ;
-  assign \address$263  = step[24:15];
-  assign \write_en$264  = unit_en[18];
-  assign \write$265  = { \$68 [647:576], \$66  };
-  assign \activations$266  = activations;
-  assign \control$267  = control3;
-  assign \shift$268  = shift;
-  assign \chain_o$270  = \chain_i$269 ;
-  assign \address$271  = step[24:15];
-  assign \write_en$272  = unit_en[19];
-  assign \write$273  = { \$68 [647:576], \$66  };
-  assign \activations$274  = activations;
-  assign \control$275  = control3;
-  assign \shift$276  = shift;
-  assign \chain_o$278  = \chain_i$277 ;
-  assign \address$279  = step[24:15];
-  assign \write_en$280  = unit_en[20];
-  assign \write$281  = { \$68 [647:576], \$66  };
-  assign \activations$282  = activations;
-  assign \control$283  = control3;
-  assign \shift$284  = shift;
-  assign \chain_o$286  = \chain_i$285 ;
-  assign \address$287  = step[24:15];
-  assign \write_en$288  = unit_en[21];
-  assign \write$289  = { \$68 [647:576], \$66  };
-  assign \activations$290  = activations;
-  assign \control$291  = control3;
-  assign \shift$292  = shift;
-  assign \chain_o$294  = \chain_i$293 ;
-  assign \address$295  = step[24:15];
-  assign \write_en$296  = unit_en[22];
-  assign \write$297  = { \$68 [647:576], \$66  };
-  assign \activations$298  = activations;
-  assign \control$299  = control3;
-  assign \shift$300  = shift;
-  assign \chain_o$302  = \chain_i$301 ;
-  assign \address$303  = step[24:15];
-  assign \write_en$304  = unit_en[23];
-  assign \write$305  = { \$68 [647:576], \$66  };
-  assign \activations$306  = activations;
-  assign \control$307  = control3;
-  assign \shift$308  = shift;
-  assign \chain_o$310  = \chain_i$309 ;
-  assign \address$311  = step[24:15];
-  assign \write_en$312  = unit_en[24];
-  assign \write$313  = { \$68 [647:576], \$66  };
-  assign \activations$314  = activations;
-  assign \control$315  = control3;
-  assign \shift$316  = shift;
-  assign \chain_o$318  = \chain_i$317 ;
-  assign \address$319  = step[24:15];
-  assign \write_en$320  = unit_en[25];
-  assign \write$321  = { \$68 [647:576], \$66  };
-  assign \activations$322  = activations;
-  assign \control$323  = control3;
-  assign \shift$324  = shift;
-  assign \chain_o$326  = \chain_i$325 ;
-  assign \address$327  = step[24:15];
-  assign \write_en$328  = unit_en[26];
-  assign \write$329  = { \$68 [647:576], \$66  };
-  assign \activations$330  = activations;
-  assign \control$331  = control3;
-  assign \shift$332  = shift;
-  assign \chain_o$334  = \chain_i$333 ;
-  assign \address$335  = step[24:15];
-  assign \write_en$336  = unit_en[27];
-  assign \write$337  = { \$68 [647:576], \$66  };
-  assign \activations$338  = activations;
-  assign \control$339  = control3;
-  assign \shift$340  = shift;
-  assign \chain_o$342  = \chain_i$341 ;
-  assign \address$343  = step[24:15];
-  assign \write_en$344  = unit_en[28];
-  assign \write$345  = { \$68 [647:576], \$66  };
-  assign \activations$346  = activations;
-  assign \control$347  = control3;
-  assign \shift$348  = shift;
-  assign \chain_o$350  = \chain_i$349 ;
-  assign \address$351  = step[24:15];
-  assign \write_en$352  = unit_en[29];
-  assign \write$353  = { \$68 [647:576], \$66  };
-  assign \activations$354  = activations;
-  assign \control$355  = control3;
-  assign \shift$356  = shift;
-  assign \chain_o$358  = \chain_i$357 ;
-  assign \address$359  = step[24:15];
-  assign \write_en$360  = unit_en[30];
-  assign \write$361  = { \$68 [647:576], \$66  };
-  assign \activations$362  = activations;
-  assign \control$363  = control3;
-  assign \shift$364  = shift;
-  assign \chain_o$366  = \chain_i$365 ;
-  assign \address$367  = step[24:15];
-  assign \write_en$368  = unit_en[31];
-  assign \write$369  = { \$68 [647:576], \$66  };
-  assign \activations$370  = activations;
-  assign \control$371  = control3;
-  assign \shift$372  = shift;
-  assign \chain_o$374  = \chain_i$373 ;
-  assign \address$375  = step[24:15];
-  assign \write_en$376  = unit_en[32];
-  assign \write$377  = { \$68 [647:576], \$66  };
-  assign \activations$378  = activations;
-  assign \control$379  = control3;
-  assign \shift$380  = shift;
-  assign \chain_o$382  = \chain_i$381 ;
-  assign \address$383  = step[24:15];
-  assign \write_en$384  = unit_en[33];
-  assign \write$385  = { \$68 [647:576], \$66  };
-  assign \activations$386  = activations;
-  assign \control$387  = control3;
-  assign \shift$388  = shift;
-  assign \chain_o$390  = \chain_i$389 ;
-  assign \address$391  = step[24:15];
-  assign \write_en$392  = unit_en[34];
-  assign \write$393  = { \$68 [647:576], \$66  };
-  assign \activations$394  = activations;
-  assign \control$395  = control3;
-  assign \shift$396  = shift;
-  assign \chain_o$398  = \chain_i$397 ;
-  assign \address$399  = step[24:15];
-  assign \write_en$400  = unit_en[35];
-  assign \write$401  = { \$68 [647:576], \$66  };
-  assign \activations$402  = activations;
-  assign \control$403  = control3;
-  assign \shift$404  = shift;
-  assign \chain_o$406  = \chain_i$405 ;
-  assign \address$407  = step[24:15];
-  assign \write_en$408  = unit_en[36];
-  assign \write$409  = { \$68 [647:576], \$66  };
-  assign \activations$410  = activations;
-  assign \control$411  = control3;
-  assign \shift$412  = shift;
-  assign \chain_o$414  = \chain_i$413 ;
-  assign \address$415  = step[24:15];
-  assign \write_en$416  = unit_en[37];
-  assign \write$417  = { \$68 [647:576], \$66  };
-  assign \activations$418  = activations;
-  assign \control$419  = control3;
-  assign \shift$420  = shift;
-  assign \chain_o$422  = \chain_i$421 ;
-  assign \address$423  = step[24:15];
-  assign \write_en$424  = unit_en[38];
-  assign \write$425  = { \$68 [647:576], \$66  };
-  assign \activations$426  = activations;
-  assign \control$427  = control3;
-  assign \shift$428  = shift;
-  assign \chain_o$430  = \chain_i$429 ;
-  assign \address$431  = step[24:15];
-  assign \write_en$432  = unit_en[39];
-  assign \write$433  = { \$68 [647:576], \$66  };
-  assign \activations$434  = activations;
-  assign \control$435  = control3;
-  assign \shift$436  = shift;
-  assign \chain_o$438  = \chain_i$437 ;
-  assign \address$439  = step[24:15];
-  assign \write_en$440  = unit_en[40];
-  assign \write$441  = { \$68 [647:576], \$66  };
-  assign \activations$442  = activations;
-  assign \control$443  = control3;
-  assign \shift$444  = shift;
-  assign \chain_o$446  = \chain_i$445 ;
-  assign \address$447  = step[24:15];
-  assign \write_en$448  = unit_en[41];
-  assign \write$449  = { \$68 [647:576], \$66  };
-  assign \activations$450  = activations;
-  assign \control$451  = control3;
-  assign \shift$452  = shift;
-  assign \chain_o$454  = \chain_i$453 ;
-  assign \address$455  = step[24:15];
-  assign \write_en$456  = unit_en[42];
-  assign \write$457  = { \$68 [647:576], \$66  };
-  assign \activations$458  = activations;
-  assign \control$459  = control3;
-  assign \shift$460  = shift;
-  assign \chain_o$462  = \chain_i$461 ;
-  assign \address$463  = step[24:15];
-  assign \write_en$464  = unit_en[43];
-  assign \write$465  = { \$68 [647:576], \$66  };
-  assign \activations$466  = activations;
-  assign \control$467  = control3;
-  assign \shift$468  = shift;
-  assign \chain_o$470  = \chain_i$469 ;
-  assign \address$471  = step[24:15];
-  assign \write_en$472  = unit_en[44];
-  assign \write$473  = { \$68 [647:576], \$66  };
-  assign \activations$474  = activations;
-  assign \control$475  = control3;
-  assign \shift$476  = shift;
-  assign \chain_o$478  = \chain_i$477 ;
-  assign \address$479  = step[24:15];
-  assign \write_en$480  = unit_en[45];
-  assign \write$481  = { \$68 [647:576], \$66  };
-  assign \activations$482  = activations;
-  assign \control$483  = control3;
-  assign \shift$484  = shift;
-  assign \chain_o$486  = \chain_i$485 ;
-  assign \address$487  = step[24:15];
-  assign \write_en$488  = unit_en[46];
-  assign \write$489  = { \$68 [647:576], \$66  };
-  assign \activations$490  = activations;
-  assign \control$491  = control3;
-  assign \shift$492  = shift;
-  assign \chain_o$494  = \chain_i$493 ;
-  assign \address$495  = step[24:15];
-  assign \write_en$496  = unit_en[47];
-  assign \write$497  = { \$68 [647:576], \$66  };
-  assign \activations$498  = activations;
-  assign \control$499  = control3;
-  assign \shift$500  = shift;
-  assign \chain_o$502  = \chain_i$501 ;
-  assign \address$503  = step[24:15];
-  assign \write_en$504  = unit_en[48];
-  assign \write$505  = { \$68 [647:576], \$66  };
-  assign \activations$506  = activations;
-  assign \control$507  = control3;
-  assign \shift$508  = shift;
-  assign \chain_o$510  = \chain_i$509 ;
-  assign \address$511  = step[24:15];
-  assign \write_en$512  = unit_en[49];
-  assign \write$513  = { \$68 [647:576], \$66  };
-  assign \activations$514  = activations;
-  assign \control$515  = control3;
-  assign \shift$516  = shift;
-  assign \chain_o$518  = \chain_i$517 ;
-  assign \address$519  = step[24:15];
-  assign \write_en$520  = unit_en[50];
-  assign \write$521  = { \$68 [647:576], \$66  };
-  assign \activations$522  = activations;
-  assign \control$523  = control3;
-  assign \shift$524  = shift;
-  assign \chain_o$526  = \chain_i$525 ;
-  assign \address$527  = step[24:15];
-  assign \write_en$528  = unit_en[51];
-  assign \write$529  = { \$68 [647:576], \$66  };
-  assign \activations$530  = activations;
-  assign \control$531  = control3;
-  assign \shift$532  = shift;
-  assign \chain_o$534  = \chain_i$533 ;
-  assign \address$535  = step[24:15];
-  assign \write_en$536  = unit_en[52];
-  assign \write$537  = { \$68 [647:576], \$66  };
-  assign \activations$538  = activations;
-  assign \control$539  = control3;
-  assign \shift$540  = shift;
-  assign \chain_o$542  = \chain_i$541 ;
-  assign \address$543  = step[24:15];
-  assign \write_en$544  = unit_en[53];
-  assign \write$545  = { \$68 [647:576], \$66  };
-  assign \activations$546  = activations;
-  assign \control$547  = control3;
-  assign \shift$548  = shift;
-  assign \chain_o$550  = \chain_i$549 ;
-  assign \address$551  = step[24:15];
-  assign \write_en$552  = unit_en[54];
-  assign \write$553  = { \$68 [647:576], \$66  };
-  assign \activations$554  = activations;
-  assign \control$555  = control3;
-  assign \shift$556  = shift;
-  assign \chain_o$558  = \chain_i$557 ;
-  assign \address$559  = step[24:15];
-  assign \write_en$560  = unit_en[55];
-  assign \write$561  = { \$68 [647:576], \$66  };
-  assign \activations$562  = activations;
-  assign \control$563  = control3;
-  assign \shift$564  = shift;
-  assign \chain_o$566  = \chain_i$565 ;
-  assign \address$567  = step[24:15];
-  assign \write_en$568  = unit_en[56];
-  assign \write$569  = { \$68 [647:576], \$66  };
-  assign \activations$570  = activations;
-  assign \control$571  = control3;
-  assign \shift$572  = shift;
-  assign \chain_o$574  = \chain_i$573 ;
-  assign \address$575  = step[24:15];
-  assign \write_en$576  = unit_en[57];
-  assign \write$577  = { \$68 [647:576], \$66  };
-  assign \activations$578  = activations;
-  assign \control$579  = control3;
-  assign \shift$580  = shift;
-  assign \chain_o$582  = \chain_i$581 ;
-  assign \address$583  = step[24:15];
-  assign \write_en$584  = unit_en[58];
-  assign \write$585  = { \$68 [647:576], \$66  };
-  assign \activations$586  = activations;
-  assign \control$587  = control3;
-  assign \shift$588  = shift;
-  assign \chain_o$590  = \chain_i$589 ;
-  assign \address$591  = step[24:15];
-  assign \write_en$592  = unit_en[59];
-  assign \write$593  = { \$68 [647:576], \$66  };
-  assign \activations$594  = activations;
-  assign \control$595  = control3;
-  assign \shift$596  = shift;
-  assign \chain_o$598  = \chain_i$597 ;
-  assign \address$599  = step[24:15];
-  assign \write_en$600  = unit_en[60];
-  assign \write$601  = { \$68 [647:576], \$66  };
-  assign \activations$602  = activations;
-  assign \control$603  = control3;
-  assign \shift$604  = shift;
+  assign control2 = control;
+  assign \shift$125  = shift;
+  assign \chain_o$129  = chain_i;
+  assign \address$130  = step[24:15];
+  assign \write_en$131  = unit_en[1];
+  assign \write$132  = { \$70 [647:576], \$68  };
+  assign \activations$133  = activations;
+  assign \control$134  = control;
+  assign \shift$135  = shift;
+  assign \chain_o$138  = \chain_i$137 ;
+  assign \address$139  = step[24:15];
+  assign \write_en$140  = unit_en[2];
+  assign \write$141  = { \$70 [647:576], \$68  };
+  assign \activations$142  = activations;
+  assign \control$143  = control;
+  assign \shift$144  = shift;
+  assign \chain_o$147  = \chain_i$146 ;
+  assign \address$148  = step[24:15];
+  assign \write_en$149  = unit_en[3];
+  assign \write$150  = { \$70 [647:576], \$68  };
+  assign \activations$151  = activations;
+  assign \control$152  = control;
+  assign \shift$153  = shift;
+  assign \chain_o$156  = \chain_i$155 ;
+  assign \address$157  = step[24:15];
+  assign \write_en$158  = unit_en[4];
+  assign \write$159  = { \$70 [647:576], \$68  };
+  assign \activations$160  = activations;
+  assign \control$161  = control;
+  assign \shift$162  = shift;
+  assign \chain_o$164  = \chain_i$163 ;
+  assign \address$165  = step[24:15];
+  assign \write_en$166  = unit_en[5];
+  assign \write$167  = { \$70 [647:576], \$68  };
+  assign \activations$168  = activations;
+  assign \control$169  = control;
+  assign \shift$170  = shift;
+  assign \chain_o$172  = \chain_i$171 ;
+  assign \address$173  = step[24:15];
+  assign \write_en$174  = unit_en[6];
+  assign \write$175  = { \$70 [647:576], \$68  };
+  assign \activations$176  = activations;
+  assign \control$177  = control;
+  assign \shift$178  = shift;
+  assign \chain_o$180  = \chain_i$179 ;
+  assign \address$181  = step[24:15];
+  assign \write_en$182  = unit_en[7];
+  assign \write$183  = { \$70 [647:576], \$68  };
+  assign \activations$184  = activations;
+  assign \control$185  = control;
+  assign \shift$186  = shift;
+  assign \chain_o$188  = \chain_i$187 ;
+  assign \address$189  = step[24:15];
+  assign \write_en$190  = unit_en[8];
+  assign \write$191  = { \$70 [647:576], \$68  };
+  assign \activations$192  = activations;
+  assign \control$193  = control;
+  assign \shift$194  = shift;
+  assign \chain_o$196  = \chain_i$195 ;
+  assign \address$197  = step[24:15];
+  assign \write_en$198  = unit_en[9];
+  assign \write$199  = { \$70 [647:576], \$68  };
+  assign \activations$200  = activations;
+  assign \control$201  = control;
+  assign \shift$202  = shift;
+  assign \chain_o$204  = \chain_i$203 ;
+  assign \address$205  = step[24:15];
+  assign \write_en$206  = unit_en[10];
+  assign \write$207  = { \$70 [647:576], \$68  };
+  assign \activations$208  = activations;
+  assign \control$209  = control;
+  assign \shift$210  = shift;
+  assign \chain_o$212  = \chain_i$211 ;
+  assign \address$213  = step[24:15];
+  assign \write_en$214  = unit_en[11];
+  assign \write$215  = { \$70 [647:576], \$68  };
+  assign \activations$216  = activations;
+  assign \control$217  = control;
+  assign \shift$218  = shift;
+  assign \chain_o$220  = \chain_i$219 ;
+  assign \address$221  = step[24:15];
+  assign \write_en$222  = unit_en[12];
+  assign \write$223  = { \$70 [647:576], \$68  };
+  assign \activations$224  = activations;
+  assign \control$225  = control;
+  assign \shift$226  = shift;
+  assign \chain_o$228  = \chain_i$227 ;
+  assign \address$229  = step[24:15];
+  assign \write_en$230  = unit_en[13];
+  assign \write$231  = { \$70 [647:576], \$68  };
+  assign \activations$232  = activations;
+  assign \control$233  = control;
+  assign \shift$234  = shift;
+  assign \chain_o$236  = \chain_i$235 ;
+  assign \address$237  = step[24:15];
+  assign \write_en$238  = unit_en[14];
+  assign \write$239  = { \$70 [647:576], \$68  };
+  assign \activations$240  = activations;
+  assign \control$241  = control;
+  assign \shift$242  = shift;
+  assign \chain_o$244  = \chain_i$243 ;
+  assign \address$245  = step[24:15];
+  assign \write_en$246  = unit_en[15];
+  assign \write$247  = { \$70 [647:576], \$68  };
+  assign \activations$248  = activations;
+  assign \control$249  = control;
+  assign \shift$250  = shift;
+  assign \chain_o$252  = \chain_i$251 ;
+  assign \address$253  = step[24:15];
+  assign \write_en$254  = unit_en[16];
+  assign \write$255  = { \$70 [647:576], \$68  };
+  assign \activations$256  = activations;
+  assign \control$257  = control;
+  assign \shift$258  = shift;
+  assign \chain_o$260  = \chain_i$259 ;
+  assign \address$261  = step[24:15];
+  assign \write_en$262  = unit_en[17];
+  assign \write$263  = { \$70 [647:576], \$68  };
+  assign \activations$264  = activations;
+  assign \control$265  = control;
+  assign \shift$266  = shift;
+  assign \chain_o$268  = \chain_i$267 ;
+  assign \address$269  = step[24:15];
+  assign \write_en$270  = unit_en[18];
+  assign \write$271  = { \$70 [647:576], \$68  };
+  assign \activations$272  = activations;
+  assign \control$273  = control;
+  assign \shift$274  = shift;
+  assign \chain_o$276  = \chain_i$275 ;
+  assign \address$277  = step[24:15];
+  assign \write_en$278  = unit_en[19];
+  assign \write$279  = { \$70 [647:576], \$68  };
+  assign \activations$280  = activations;
+  assign \control$281  = control;
+  assign \shift$282  = shift;
+  assign \chain_o$284  = \chain_i$283 ;
+  assign \address$285  = step[24:15];
+  assign \write_en$286  = unit_en[20];
+  assign \write$287  = { \$70 [647:576], \$68  };
+  assign \activations$288  = activations;
+  assign \control$289  = control;
+  assign \shift$290  = shift;
+  assign \chain_o$292  = \chain_i$291 ;
+  assign \address$293  = step[24:15];
+  assign \write_en$294  = unit_en[21];
+  assign \write$295  = { \$70 [647:576], \$68  };
+  assign \activations$296  = activations;
+  assign \control$297  = control;
+  assign \shift$298  = shift;
+  assign \chain_o$300  = \chain_i$299 ;
+  assign \address$301  = step[24:15];
+  assign \write_en$302  = unit_en[22];
+  assign \write$303  = { \$70 [647:576], \$68  };
+  assign \activations$304  = activations;
+  assign \control$305  = control;
+  assign \shift$306  = shift;
+  assign \chain_o$308  = \chain_i$307 ;
+  assign \address$309  = step[24:15];
+  assign \write_en$310  = unit_en[23];
+  assign \write$311  = { \$70 [647:576], \$68  };
+  assign \activations$312  = activations;
+  assign \control$313  = control;
+  assign \shift$314  = shift;
+  assign \chain_o$316  = \chain_i$315 ;
+  assign \address$317  = step[24:15];
+  assign \write_en$318  = unit_en[24];
+  assign \write$319  = { \$70 [647:576], \$68  };
+  assign \activations$320  = activations;
+  assign \control$321  = control;
+  assign \shift$322  = shift;
+  assign \chain_o$324  = \chain_i$323 ;
+  assign \address$325  = step[24:15];
+  assign \write_en$326  = unit_en[25];
+  assign \write$327  = { \$70 [647:576], \$68  };
+  assign \activations$328  = activations;
+  assign \control$329  = control;
+  assign \shift$330  = shift;
+  assign \chain_o$332  = \chain_i$331 ;
+  assign \address$333  = step[24:15];
+  assign \write_en$334  = unit_en[26];
+  assign \write$335  = { \$70 [647:576], \$68  };
+  assign \activations$336  = activations;
+  assign \control$337  = control;
+  assign \shift$338  = shift;
+  assign \chain_o$340  = \chain_i$339 ;
+  assign \address$341  = step[24:15];
+  assign \write_en$342  = unit_en[27];
+  assign \write$343  = { \$70 [647:576], \$68  };
+  assign \activations$344  = activations;
+  assign \control$345  = control;
+  assign \shift$346  = shift;
+  assign \chain_o$348  = \chain_i$347 ;
+  assign \address$349  = step[24:15];
+  assign \write_en$350  = unit_en[28];
+  assign \write$351  = { \$70 [647:576], \$68  };
+  assign \activations$352  = activations;
+  assign \control$353  = control;
+  assign \shift$354  = shift;
+  assign \chain_o$356  = \chain_i$355 ;
+  assign \address$357  = step[24:15];
+  assign \write_en$358  = unit_en[29];
+  assign \write$359  = { \$70 [647:576], \$68  };
+  assign \activations$360  = activations;
+  assign \control$361  = control;
+  assign \shift$362  = shift;
+  assign \chain_o$364  = \chain_i$363 ;
+  assign \address$365  = step[24:15];
+  assign \write_en$366  = unit_en[30];
+  assign \write$367  = { \$70 [647:576], \$68  };
+  assign \activations$368  = activations;
+  assign \control$369  = control;
+  assign \shift$370  = shift;
+  assign \chain_o$372  = \chain_i$371 ;
+  assign \address$373  = step[24:15];
+  assign \write_en$374  = unit_en[31];
+  assign \write$375  = { \$70 [647:576], \$68  };
+  assign \activations$376  = activations;
+  assign \control$377  = control;
+  assign \shift$378  = shift;
+  assign \chain_o$380  = \chain_i$379 ;
+  assign \address$381  = step[24:15];
+  assign \write_en$382  = unit_en[32];
+  assign \write$383  = { \$70 [647:576], \$68  };
+  assign \activations$384  = activations;
+  assign \control$385  = control;
+  assign \shift$386  = shift;
+  assign \chain_o$388  = \chain_i$387 ;
+  assign \address$389  = step[24:15];
+  assign \write_en$390  = unit_en[33];
+  assign \write$391  = { \$70 [647:576], \$68  };
+  assign \activations$392  = activations;
+  assign \control$393  = control;
+  assign \shift$394  = shift;
+  assign \chain_o$396  = \chain_i$395 ;
+  assign \address$397  = step[24:15];
+  assign \write_en$398  = unit_en[34];
+  assign \write$399  = { \$70 [647:576], \$68  };
+  assign \activations$400  = activations;
+  assign \control$401  = control;
+  assign \shift$402  = shift;
+  assign \chain_o$404  = \chain_i$403 ;
+  assign \address$405  = step[24:15];
+  assign \write_en$406  = unit_en[35];
+  assign \write$407  = { \$70 [647:576], \$68  };
+  assign \activations$408  = activations;
+  assign \control$409  = control;
+  assign \shift$410  = shift;
+  assign \chain_o$412  = \chain_i$411 ;
+  assign \address$413  = step[24:15];
+  assign \write_en$414  = unit_en[36];
+  assign \write$415  = { \$70 [647:576], \$68  };
+  assign \activations$416  = activations;
+  assign \control$417  = control;
+  assign \shift$418  = shift;
+  assign \chain_o$420  = \chain_i$419 ;
+  assign \address$421  = step[24:15];
+  assign \write_en$422  = unit_en[37];
+  assign \write$423  = { \$70 [647:576], \$68  };
+  assign \activations$424  = activations;
+  assign \control$425  = control;
+  assign \shift$426  = shift;
+  assign \chain_o$428  = \chain_i$427 ;
+  assign \address$429  = step[24:15];
+  assign \write_en$430  = unit_en[38];
+  assign \write$431  = { \$70 [647:576], \$68  };
+  assign \activations$432  = activations;
+  assign \control$433  = control;
+  assign \shift$434  = shift;
+  assign \chain_o$436  = \chain_i$435 ;
+  assign \address$437  = step[24:15];
+  assign \write_en$438  = unit_en[39];
+  assign \write$439  = { \$70 [647:576], \$68  };
+  assign \activations$440  = activations;
+  assign \control$441  = control;
+  assign \shift$442  = shift;
+  assign \chain_o$444  = \chain_i$443 ;
+  assign \address$445  = step[24:15];
+  assign \write_en$446  = unit_en[40];
+  assign \write$447  = { \$70 [647:576], \$68  };
+  assign \activations$448  = activations;
+  assign \control$449  = control;
+  assign \shift$450  = shift;
+  assign \chain_o$452  = \chain_i$451 ;
+  assign \address$453  = step[24:15];
+  assign \write_en$454  = unit_en[41];
+  assign \write$455  = { \$70 [647:576], \$68  };
+  assign \activations$456  = activations;
+  assign \control$457  = control;
+  assign \shift$458  = shift;
+  assign \chain_o$460  = \chain_i$459 ;
+  assign \address$461  = step[24:15];
+  assign \write_en$462  = unit_en[42];
+  assign \write$463  = { \$70 [647:576], \$68  };
+  assign \activations$464  = activations;
+  assign \control$465  = control;
+  assign \shift$466  = shift;
+  assign \chain_o$468  = \chain_i$467 ;
+  assign \address$469  = step[24:15];
+  assign \write_en$470  = unit_en[43];
+  assign \write$471  = { \$70 [647:576], \$68  };
+  assign \activations$472  = activations;
+  assign \control$473  = control;
+  assign \shift$474  = shift;
+  assign \chain_o$476  = \chain_i$475 ;
+  assign \address$477  = step[24:15];
+  assign \write_en$478  = unit_en[44];
+  assign \write$479  = { \$70 [647:576], \$68  };
+  assign \activations$480  = activations;
+  assign \control$481  = control;
+  assign \shift$482  = shift;
+  assign \chain_o$484  = \chain_i$483 ;
+  assign \address$485  = step[24:15];
+  assign \write_en$486  = unit_en[45];
+  assign \write$487  = { \$70 [647:576], \$68  };
+  assign \activations$488  = activations;
+  assign \control$489  = control;
+  assign \shift$490  = shift;
+  assign \chain_o$492  = \chain_i$491 ;
+  assign \address$493  = step[24:15];
+  assign \write_en$494  = unit_en[46];
+  assign \write$495  = { \$70 [647:576], \$68  };
+  assign \activations$496  = activations;
+  assign \control$497  = control;
+  assign \shift$498  = shift;
+  assign \chain_o$500  = \chain_i$499 ;
+  assign \address$501  = step[24:15];
+  assign \write_en$502  = unit_en[47];
+  assign \write$503  = { \$70 [647:576], \$68  };
+  assign \activations$504  = activations;
+  assign \control$505  = control;
+  assign \shift$506  = shift;
+  assign \chain_o$508  = \chain_i$507 ;
+  assign \address$509  = step[24:15];
+  assign \write_en$510  = unit_en[48];
+  assign \write$511  = { \$70 [647:576], \$68  };
+  assign \activations$512  = activations;
+  assign \control$513  = control;
+  assign \shift$514  = shift;
+  assign \chain_o$516  = \chain_i$515 ;
+  assign \address$517  = step[24:15];
+  assign \write_en$518  = unit_en[49];
+  assign \write$519  = { \$70 [647:576], \$68  };
+  assign \activations$520  = activations;
+  assign \control$521  = control;
+  assign \shift$522  = shift;
+  assign \chain_o$524  = \chain_i$523 ;
+  assign \address$525  = step[24:15];
+  assign \write_en$526  = unit_en[50];
+  assign \write$527  = { \$70 [647:576], \$68  };
+  assign \activations$528  = activations;
+  assign \control$529  = control;
+  assign \shift$530  = shift;
+  assign \chain_o$532  = \chain_i$531 ;
+  assign \address$533  = step[24:15];
+  assign \write_en$534  = unit_en[51];
+  assign \write$535  = { \$70 [647:576], \$68  };
+  assign \activations$536  = activations;
+  assign \control$537  = control;
+  assign \shift$538  = shift;
+  assign \chain_o$540  = \chain_i$539 ;
+  assign \address$541  = step[24:15];
+  assign \write_en$542  = unit_en[52];
+  assign \write$543  = { \$70 [647:576], \$68  };
+  assign \activations$544  = activations;
+  assign \control$545  = control;
+  assign \shift$546  = shift;
+  assign \chain_o$548  = \chain_i$547 ;
+  assign \address$549  = step[24:15];
+  assign \write_en$550  = unit_en[53];
+  assign \write$551  = { \$70 [647:576], \$68  };
+  assign \activations$552  = activations;
+  assign \control$553  = control;
+  assign \shift$554  = shift;
+  assign \chain_o$556  = \chain_i$555 ;
+  assign \address$557  = step[24:15];
+  assign \write_en$558  = unit_en[54];
+  assign \write$559  = { \$70 [647:576], \$68  };
+  assign \activations$560  = activations;
+  assign \control$561  = control;
+  assign \shift$562  = shift;
+  assign \chain_o$564  = \chain_i$563 ;
+  assign \address$565  = step[24:15];
+  assign \write_en$566  = unit_en[55];
+  assign \write$567  = { \$70 [647:576], \$68  };
+  assign \activations$568  = activations;
+  assign \control$569  = control;
+  assign \shift$570  = shift;
+  assign \chain_o$572  = \chain_i$571 ;
+  assign \address$573  = step[24:15];
+  assign \write_en$574  = unit_en[56];
+  assign \write$575  = { \$70 [647:576], \$68  };
+  assign \activations$576  = activations;
+  assign \control$577  = control;
+  assign \shift$578  = shift;
+  assign \chain_o$580  = \chain_i$579 ;
+  assign \address$581  = step[24:15];
+  assign \write_en$582  = unit_en[57];
+  assign \write$583  = { \$70 [647:576], \$68  };
+  assign \activations$584  = activations;
+  assign \control$585  = control;
+  assign \shift$586  = shift;
+  assign \chain_o$588  = \chain_i$587 ;
+  assign \address$589  = step[24:15];
+  assign \write_en$590  = unit_en[58];
+  assign \write$591  = { \$70 [647:576], \$68  };
+  assign \activations$592  = activations;
+  assign \control$593  = control;
+  assign \shift$594  = shift;
+  assign \chain_o$596  = \chain_i$595 ;
+  assign \address$597  = step[24:15];
+  assign \write_en$598  = unit_en[59];
+  assign \write$599  = { \$70 [647:576], \$68  };
+  assign \activations$600  = activations;
+  assign \control$601  = control;
+  assign \shift$602  = shift;
+  assign \chain_o$604  = \chain_i$603 ;
   assign \address$605  = step[24:15];
-  assign \write_en$606  = unit_en[61];
-  assign \write$607  = { \$68 [647:576], \$66  };
+  assign \write_en$606  = unit_en[60];
+  assign \write$607  = { \$70 [647:576], \$68  };
   assign \activations$608  = activations;
-  assign \control$609  = control3;
+  assign \control$609  = control;
   assign \shift$610  = shift;
   assign \address$611  = step[24:15];
-  assign \write_en$612  = unit_en[62];
-  assign \write$613  = { \$68 [647:576], \$66  };
+  assign \write_en$612  = unit_en[61];
+  assign \write$613  = { \$70 [647:576], \$68  };
   assign \activations$614  = activations;
-  assign \control$615  = control3;
+  assign \control$615  = control;
   assign \shift$616  = shift;
   assign \address$617  = step[24:15];
-  assign \write_en$618  = unit_en[63];
-  assign \write$619  = { \$68 [647:576], \$66  };
+  assign \write_en$618  = unit_en[62];
+  assign \write$619  = { \$70 [647:576], \$68  };
   assign \activations$620  = activations;
-  assign \control$621  = control3;
+  assign \control$621  = control;
   assign \shift$622  = shift;
-  assign soft_reset = \port$1170$0 [3];
+  assign \address$623  = step[24:15];
+  assign \write_en$624  = unit_en[63];
+  assign \write$625  = { \$70 [647:576], \$68  };
+  assign \activations$626  = activations;
+  assign \control$627  = control;
+  assign \shift$628  = shift;
+  assign soft_reset = \port$1176$0 [3];
+  assign \i__payload.data  = i__payload[47:0];
+  assign \i__payload.pixel_last  = i__payload[48];
+  assign \i__payload.last  = i__payload[49];
+  assign \o__payload.data  = i__payload[47:0];
+  assign \o__payload.pixel_last  = i__payload[48];
+  assign \o__payload.last  = i__payload[49];
+  assign \o__payload$9.data  = \o__payload$9 [63:0];
+  assign \o__payload$9.last  = \o__payload$9 [64];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
   assign \shape.out_height  = shape[47:32];
@@ -4261,84 +4297,37 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   assign \shape.pointwise  = shape[164];
   assign \shape.halved  = shape[165];
   assign \shape.biased  = shape[166];
-  assign \shape$19.height  = shape[15:0];
-  assign \shape$19.width  = shape[31:16];
-  assign \shape$19.out_height  = shape[47:32];
-  assign \shape$19.groups  = shape[62:48];
-  assign \shape$19.tail  = shape[64:63];
-  assign \shape$19.blocks  = shape[78:65];
-  assign \shape$19.ingest_words  = shape[92:79];
-  assign \shape$19.column_words  = shape[107:93];
-  assign \shape$19.tiles  = shape[119:108];
-  assign \shape$19.output_words  = shape[131:120];
-  assign \shape$19.beats_in  = shape[147:132];
-  assign \shape$19.beats_out  = shape[163:148];
-  assign \shape$19.pointwise  = shape[164];
-  assign \shape$19.halved  = shape[165];
-  assign \shape$19.biased  = shape[166];
-  assign \i__payload.data  = i__payload[63:0];
-  assign \i__payload.last  = i__payload[64];
-  assign \i__payload$42.data  = i__payload[63:0];
-  assign \i__payload$42.last  = i__payload[64];
-  assign \i__payload$59.data  = \i__payload$59 [47:0];
-  assign \i__payload$59.pixel_last  = \i__payload$59 [48];
-  assign \i__payload$59.last  = \i__payload$59 [49];
-  assign \o__payload$60.data  = \i__payload$59 [47:0];
-  assign \o__payload$60.pixel_last  = \i__payload$59 [48];
-  assign \o__payload$60.last  = \i__payload$59 [49];
-  assign \o__payload$65.data  = \o__payload$65 [63:0];
-  assign \o__payload$65.last  = \o__payload$65 [64];
-  assign \o__payload$66.data  = \o__payload$65 [63:0];
-  assign \o__payload$66.last  = \o__payload$65 [64];
-  assign \i__payload$71.data  = \i__payload$71 [63:0];
-  assign \i__payload$71.last  = \i__payload$71 [64];
-  assign \params__payload.data  = \i__payload$71 [63:0];
-  assign \params__payload.last  = \i__payload$71 [64];
-  assign \shape$77.height  = shape[15:0];
-  assign \shape$77.width  = shape[31:16];
-  assign \shape$77.out_height  = shape[47:32];
-  assign \shape$77.groups  = shape[62:48];
-  assign \shape$77.tail  = shape[64:63];
-  assign \shape$77.blocks  = shape[78:65];
-  assign \shape$77.ingest_words  = shape[92:79];
-  assign \shape$77.column_words  = shape[107:93];
-  assign \shape$77.tiles  = shape[119:108];
-  assign \shape$77.output_words  = shape[131:120];
-  assign \shape$77.beats_in  = shape[147:132];
-  assign \shape$77.beats_out  = shape[163:148];
-  assign \shape$77.pointwise  = shape[164];
-  assign \shape$77.halved  = shape[165];
-  assign \shape$77.biased  = shape[166];
-  assign \shape$78.height  = shape[15:0];
-  assign \shape$78.width  = shape[31:16];
-  assign \shape$78.out_height  = shape[47:32];
-  assign \shape$78.groups  = shape[62:48];
-  assign \shape$78.tail  = shape[64:63];
-  assign \shape$78.blocks  = shape[78:65];
-  assign \shape$78.ingest_words  = shape[92:79];
-  assign \shape$78.column_words  = shape[107:93];
-  assign \shape$78.tiles  = shape[119:108];
-  assign \shape$78.output_words  = shape[131:120];
-  assign \shape$78.beats_in  = shape[147:132];
-  assign \shape$78.beats_out  = shape[163:148];
-  assign \shape$78.pointwise  = shape[164];
-  assign \shape$78.halved  = shape[165];
-  assign \shape$78.biased  = shape[166];
-  assign \shape$79.height  = shape[15:0];
-  assign \shape$79.width  = shape[31:16];
-  assign \shape$79.out_height  = shape[47:32];
-  assign \shape$79.groups  = shape[62:48];
-  assign \shape$79.tail  = shape[64:63];
-  assign \shape$79.blocks  = shape[78:65];
-  assign \shape$79.ingest_words  = shape[92:79];
-  assign \shape$79.column_words  = shape[107:93];
-  assign \shape$79.tiles  = shape[119:108];
-  assign \shape$79.output_words  = shape[131:120];
-  assign \shape$79.beats_in  = shape[147:132];
-  assign \shape$79.beats_out  = shape[163:148];
-  assign \shape$79.pointwise  = shape[164];
-  assign \shape$79.halved  = shape[165];
-  assign \shape$79.biased  = shape[166];
+  assign \shape.residual  = shape[167];
+  assign \shape.out_width  = shape[183:168];
+  assign \shape.beats_residual  = shape[199:184];
+  assign \shape$52.height  = shape[15:0];
+  assign \shape$52.width  = shape[31:16];
+  assign \shape$52.out_height  = shape[47:32];
+  assign \shape$52.groups  = shape[62:48];
+  assign \shape$52.tail  = shape[64:63];
+  assign \shape$52.blocks  = shape[78:65];
+  assign \shape$52.ingest_words  = shape[92:79];
+  assign \shape$52.column_words  = shape[107:93];
+  assign \shape$52.tiles  = shape[119:108];
+  assign \shape$52.output_words  = shape[131:120];
+  assign \shape$52.beats_in  = shape[147:132];
+  assign \shape$52.beats_out  = shape[163:148];
+  assign \shape$52.pointwise  = shape[164];
+  assign \shape$52.halved  = shape[165];
+  assign \shape$52.biased  = shape[166];
+  assign \shape$52.residual  = shape[167];
+  assign \shape$52.out_width  = shape[183:168];
+  assign \shape$52.beats_residual  = shape[199:184];
+  assign \i__payload$53.data  = \i__payload$53 [63:0];
+  assign \i__payload$53.last  = \i__payload$53 [64];
+  assign \i__payload$54.data  = \i__payload$53 [63:0];
+  assign \i__payload$54.last  = \i__payload$53 [64];
+  assign \o__payload$71.data  = \o__payload$9 [63:0];
+  assign \o__payload$71.last  = \o__payload$9 [64];
+  assign \i__payload$74.data  = \i__payload$74 [63:0];
+  assign \i__payload$74.last  = \i__payload$74 [64];
+  assign \params__payload.data  = \i__payload$74 [63:0];
+  assign \params__payload.last  = \i__payload$74 [64];
   assign \shape$80.height  = shape[15:0];
   assign \shape$80.width  = shape[31:16];
   assign \shape$80.out_height  = shape[47:32];
@@ -4354,6 +4343,45 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   assign \shape$80.pointwise  = shape[164];
   assign \shape$80.halved  = shape[165];
   assign \shape$80.biased  = shape[166];
+  assign \shape$80.residual  = shape[167];
+  assign \shape$80.out_width  = shape[183:168];
+  assign \shape$80.beats_residual  = shape[199:184];
+  assign \shape$81.height  = shape[15:0];
+  assign \shape$81.width  = shape[31:16];
+  assign \shape$81.out_height  = shape[47:32];
+  assign \shape$81.groups  = shape[62:48];
+  assign \shape$81.tail  = shape[64:63];
+  assign \shape$81.blocks  = shape[78:65];
+  assign \shape$81.ingest_words  = shape[92:79];
+  assign \shape$81.column_words  = shape[107:93];
+  assign \shape$81.tiles  = shape[119:108];
+  assign \shape$81.output_words  = shape[131:120];
+  assign \shape$81.beats_in  = shape[147:132];
+  assign \shape$81.beats_out  = shape[163:148];
+  assign \shape$81.pointwise  = shape[164];
+  assign \shape$81.halved  = shape[165];
+  assign \shape$81.biased  = shape[166];
+  assign \shape$81.residual  = shape[167];
+  assign \shape$81.out_width  = shape[183:168];
+  assign \shape$81.beats_residual  = shape[199:184];
+  assign \shape$82.height  = shape[15:0];
+  assign \shape$82.width  = shape[31:16];
+  assign \shape$82.out_height  = shape[47:32];
+  assign \shape$82.groups  = shape[62:48];
+  assign \shape$82.tail  = shape[64:63];
+  assign \shape$82.blocks  = shape[78:65];
+  assign \shape$82.ingest_words  = shape[92:79];
+  assign \shape$82.column_words  = shape[107:93];
+  assign \shape$82.tiles  = shape[119:108];
+  assign \shape$82.output_words  = shape[131:120];
+  assign \shape$82.beats_in  = shape[147:132];
+  assign \shape$82.beats_out  = shape[163:148];
+  assign \shape$82.pointwise  = shape[164];
+  assign \shape$82.halved  = shape[165];
+  assign \shape$82.biased  = shape[166];
+  assign \shape$82.residual  = shape[167];
+  assign \shape$82.out_width  = shape[183:168];
+  assign \shape$82.beats_residual  = shape[199:184];
   assign \read.slot  = step[1:0];
   assign \read.address  = step[9:2];
   assign \read.bank  = step[10];
@@ -4376,10 +4404,10 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   assign \step.info.slots  = step[41:38];
   assign \step.info.edge  = step[42];
   assign \step.info.image_last  = step[43];
-  assign \write.addr  = \$67 ;
-  assign \write.data  = \$68 ;
-  assign \requant.addr  = \$67 ;
-  assign \requant.data  = \$68 ;
+  assign \write.addr  = \$69 ;
+  assign \write.data  = \$70 ;
+  assign \requant.addr  = \$69 ;
+  assign \requant.data  = \$70 ;
   assign \control3.en  = control3[0];
   assign \control3.first  = control3[1];
   assign \control3.last  = control3[2];
@@ -4395,15 +4423,20 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   assign \info3.slots  = info[8:5];
   assign \info3.edge  = info[9];
   assign \info3.image_last  = info[10];
-  assign \write$113.addr  = \$66 ;
-  assign \write$113.data  = \$68 [647:576];
-  assign \weight.addr  = \$66 ;
-  assign \weight.data  = \$68 [647:576];
-  assign \control.en  = control3[0];
-  assign \control.first  = control3[1];
-  assign \control.last  = control3[2];
-  assign \control.edge  = control3[3];
-  assign \control.tile  = control3[7:4];
+  assign \write$118.addr  = \$68 ;
+  assign \write$118.data  = \$70 [647:576];
+  assign \weight.addr  = \$68 ;
+  assign \weight.data  = \$70 [647:576];
+  assign \control.en  = control[0];
+  assign \control.first  = control[1];
+  assign \control.last  = control[2];
+  assign \control.edge  = control[3];
+  assign \control.tile  = control[7:4];
+  assign \control2.en  = control[0];
+  assign \control2.first  = control[1];
+  assign \control2.last  = control[2];
+  assign \control2.edge  = control[3];
+  assign \control2.tile  = control[7:4];
   assign \heads[0]  = heads[75:0];
   assign \heads[0][0]  = heads[18:0];
   assign \heads[0][1]  = heads[37:19];
@@ -4432,935 +4465,935 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   assign \chain_i[1]  = chain_i[37:19];
   assign \chain_i[2]  = chain_i[56:38];
   assign \chain_i[3]  = chain_i[75:57];
-  assign \chain_o$123[0]  = chain_i[18:0];
-  assign \chain_o$123[1]  = chain_i[37:19];
-  assign \chain_o$123[2]  = chain_i[56:38];
-  assign \chain_o$123[3]  = chain_i[75:57];
-  assign \write$126.addr  = \$66 ;
-  assign \write$126.data  = \$68 [647:576];
-  assign \control$128.en  = control3[0];
-  assign \control$128.first  = control3[1];
-  assign \control$128.last  = control3[2];
-  assign \control$128.edge  = control3[3];
-  assign \control$128.tile  = control3[7:4];
-  assign \chain_o$130[0]  = \chain_o$130 [18:0];
-  assign \chain_o$130[1]  = \chain_o$130 [37:19];
-  assign \chain_o$130[2]  = \chain_o$130 [56:38];
-  assign \chain_o$130[3]  = \chain_o$130 [75:57];
-  assign \chain_i$131[0]  = \chain_i$131 [18:0];
-  assign \chain_i$131[1]  = \chain_i$131 [37:19];
-  assign \chain_i$131[2]  = \chain_i$131 [56:38];
-  assign \chain_i$131[3]  = \chain_i$131 [75:57];
-  assign \chain_o$132[0]  = \chain_i$131 [18:0];
-  assign \chain_o$132[1]  = \chain_i$131 [37:19];
-  assign \chain_o$132[2]  = \chain_i$131 [56:38];
-  assign \chain_o$132[3]  = \chain_i$131 [75:57];
-  assign \write$135.addr  = \$66 ;
-  assign \write$135.data  = \$68 [647:576];
-  assign \control$137.en  = control3[0];
-  assign \control$137.first  = control3[1];
-  assign \control$137.last  = control3[2];
-  assign \control$137.edge  = control3[3];
-  assign \control$137.tile  = control3[7:4];
-  assign \chain_o$139[0]  = \chain_o$139 [18:0];
-  assign \chain_o$139[1]  = \chain_o$139 [37:19];
-  assign \chain_o$139[2]  = \chain_o$139 [56:38];
-  assign \chain_o$139[3]  = \chain_o$139 [75:57];
-  assign \chain_i$140[0]  = \chain_i$140 [18:0];
-  assign \chain_i$140[1]  = \chain_i$140 [37:19];
-  assign \chain_i$140[2]  = \chain_i$140 [56:38];
-  assign \chain_i$140[3]  = \chain_i$140 [75:57];
-  assign \chain_o$141[0]  = \chain_i$140 [18:0];
-  assign \chain_o$141[1]  = \chain_i$140 [37:19];
-  assign \chain_o$141[2]  = \chain_i$140 [56:38];
-  assign \chain_o$141[3]  = \chain_i$140 [75:57];
-  assign \write$144.addr  = \$66 ;
-  assign \write$144.data  = \$68 [647:576];
-  assign \control$146.en  = control3[0];
-  assign \control$146.first  = control3[1];
-  assign \control$146.last  = control3[2];
-  assign \control$146.edge  = control3[3];
-  assign \control$146.tile  = control3[7:4];
-  assign \chain_o$148[0]  = \chain_o$148 [18:0];
-  assign \chain_o$148[1]  = \chain_o$148 [37:19];
-  assign \chain_o$148[2]  = \chain_o$148 [56:38];
-  assign \chain_o$148[3]  = \chain_o$148 [75:57];
-  assign \chain_i$149[0]  = \chain_i$149 [18:0];
-  assign \chain_i$149[1]  = \chain_i$149 [37:19];
-  assign \chain_i$149[2]  = \chain_i$149 [56:38];
-  assign \chain_i$149[3]  = \chain_i$149 [75:57];
-  assign \chain_o$150[0]  = \chain_i$149 [18:0];
-  assign \chain_o$150[1]  = \chain_i$149 [37:19];
-  assign \chain_o$150[2]  = \chain_i$149 [56:38];
-  assign \chain_o$150[3]  = \chain_i$149 [75:57];
-  assign \write$153.addr  = \$66 ;
-  assign \write$153.data  = \$68 [647:576];
-  assign \control$155.en  = control3[0];
-  assign \control$155.first  = control3[1];
-  assign \control$155.last  = control3[2];
-  assign \control$155.edge  = control3[3];
-  assign \control$155.tile  = control3[7:4];
-  assign \chain_i$157[0]  = \chain_i$157 [18:0];
-  assign \chain_i$157[1]  = \chain_i$157 [37:19];
-  assign \chain_i$157[2]  = \chain_i$157 [56:38];
-  assign \chain_i$157[3]  = \chain_i$157 [75:57];
-  assign \chain_o$158[0]  = \chain_i$157 [18:0];
-  assign \chain_o$158[1]  = \chain_i$157 [37:19];
-  assign \chain_o$158[2]  = \chain_i$157 [56:38];
-  assign \chain_o$158[3]  = \chain_i$157 [75:57];
-  assign \write$161.addr  = \$66 ;
-  assign \write$161.data  = \$68 [647:576];
-  assign \control$163.en  = control3[0];
-  assign \control$163.first  = control3[1];
-  assign \control$163.last  = control3[2];
-  assign \control$163.edge  = control3[3];
-  assign \control$163.tile  = control3[7:4];
-  assign \chain_i$165[0]  = \chain_i$165 [18:0];
-  assign \chain_i$165[1]  = \chain_i$165 [37:19];
-  assign \chain_i$165[2]  = \chain_i$165 [56:38];
-  assign \chain_i$165[3]  = \chain_i$165 [75:57];
-  assign \chain_o$166[0]  = \chain_i$165 [18:0];
-  assign \chain_o$166[1]  = \chain_i$165 [37:19];
-  assign \chain_o$166[2]  = \chain_i$165 [56:38];
-  assign \chain_o$166[3]  = \chain_i$165 [75:57];
-  assign \write$169.addr  = \$66 ;
-  assign \write$169.data  = \$68 [647:576];
-  assign \control$171.en  = control3[0];
-  assign \control$171.first  = control3[1];
-  assign \control$171.last  = control3[2];
-  assign \control$171.edge  = control3[3];
-  assign \control$171.tile  = control3[7:4];
-  assign \chain_i$173[0]  = \chain_i$173 [18:0];
-  assign \chain_i$173[1]  = \chain_i$173 [37:19];
-  assign \chain_i$173[2]  = \chain_i$173 [56:38];
-  assign \chain_i$173[3]  = \chain_i$173 [75:57];
-  assign \chain_o$174[0]  = \chain_i$173 [18:0];
-  assign \chain_o$174[1]  = \chain_i$173 [37:19];
-  assign \chain_o$174[2]  = \chain_i$173 [56:38];
-  assign \chain_o$174[3]  = \chain_i$173 [75:57];
-  assign \write$177.addr  = \$66 ;
-  assign \write$177.data  = \$68 [647:576];
-  assign \control$179.en  = control3[0];
-  assign \control$179.first  = control3[1];
-  assign \control$179.last  = control3[2];
-  assign \control$179.edge  = control3[3];
-  assign \control$179.tile  = control3[7:4];
-  assign \chain_i$181[0]  = \chain_i$181 [18:0];
-  assign \chain_i$181[1]  = \chain_i$181 [37:19];
-  assign \chain_i$181[2]  = \chain_i$181 [56:38];
-  assign \chain_i$181[3]  = \chain_i$181 [75:57];
-  assign \chain_o$182[0]  = \chain_i$181 [18:0];
-  assign \chain_o$182[1]  = \chain_i$181 [37:19];
-  assign \chain_o$182[2]  = \chain_i$181 [56:38];
-  assign \chain_o$182[3]  = \chain_i$181 [75:57];
-  assign \write$185.addr  = \$66 ;
-  assign \write$185.data  = \$68 [647:576];
-  assign \control$187.en  = control3[0];
-  assign \control$187.first  = control3[1];
-  assign \control$187.last  = control3[2];
-  assign \control$187.edge  = control3[3];
-  assign \control$187.tile  = control3[7:4];
-  assign \chain_i$189[0]  = \chain_i$189 [18:0];
-  assign \chain_i$189[1]  = \chain_i$189 [37:19];
-  assign \chain_i$189[2]  = \chain_i$189 [56:38];
-  assign \chain_i$189[3]  = \chain_i$189 [75:57];
-  assign \chain_o$190[0]  = \chain_i$189 [18:0];
-  assign \chain_o$190[1]  = \chain_i$189 [37:19];
-  assign \chain_o$190[2]  = \chain_i$189 [56:38];
-  assign \chain_o$190[3]  = \chain_i$189 [75:57];
-  assign \write$193.addr  = \$66 ;
-  assign \write$193.data  = \$68 [647:576];
-  assign \control$195.en  = control3[0];
-  assign \control$195.first  = control3[1];
-  assign \control$195.last  = control3[2];
-  assign \control$195.edge  = control3[3];
-  assign \control$195.tile  = control3[7:4];
-  assign \chain_i$197[0]  = \chain_i$197 [18:0];
-  assign \chain_i$197[1]  = \chain_i$197 [37:19];
-  assign \chain_i$197[2]  = \chain_i$197 [56:38];
-  assign \chain_i$197[3]  = \chain_i$197 [75:57];
-  assign \chain_o$198[0]  = \chain_i$197 [18:0];
-  assign \chain_o$198[1]  = \chain_i$197 [37:19];
-  assign \chain_o$198[2]  = \chain_i$197 [56:38];
-  assign \chain_o$198[3]  = \chain_i$197 [75:57];
-  assign \write$201.addr  = \$66 ;
-  assign \write$201.data  = \$68 [647:576];
-  assign \control$203.en  = control3[0];
-  assign \control$203.first  = control3[1];
-  assign \control$203.last  = control3[2];
-  assign \control$203.edge  = control3[3];
-  assign \control$203.tile  = control3[7:4];
-  assign \chain_i$205[0]  = \chain_i$205 [18:0];
-  assign \chain_i$205[1]  = \chain_i$205 [37:19];
-  assign \chain_i$205[2]  = \chain_i$205 [56:38];
-  assign \chain_i$205[3]  = \chain_i$205 [75:57];
-  assign \chain_o$206[0]  = \chain_i$205 [18:0];
-  assign \chain_o$206[1]  = \chain_i$205 [37:19];
-  assign \chain_o$206[2]  = \chain_i$205 [56:38];
-  assign \chain_o$206[3]  = \chain_i$205 [75:57];
-  assign \write$209.addr  = \$66 ;
-  assign \write$209.data  = \$68 [647:576];
-  assign \control$211.en  = control3[0];
-  assign \control$211.first  = control3[1];
-  assign \control$211.last  = control3[2];
-  assign \control$211.edge  = control3[3];
-  assign \control$211.tile  = control3[7:4];
-  assign \chain_i$213[0]  = \chain_i$213 [18:0];
-  assign \chain_i$213[1]  = \chain_i$213 [37:19];
-  assign \chain_i$213[2]  = \chain_i$213 [56:38];
-  assign \chain_i$213[3]  = \chain_i$213 [75:57];
-  assign \chain_o$214[0]  = \chain_i$213 [18:0];
-  assign \chain_o$214[1]  = \chain_i$213 [37:19];
-  assign \chain_o$214[2]  = \chain_i$213 [56:38];
-  assign \chain_o$214[3]  = \chain_i$213 [75:57];
-  assign \write$217.addr  = \$66 ;
-  assign \write$217.data  = \$68 [647:576];
-  assign \control$219.en  = control3[0];
-  assign \control$219.first  = control3[1];
-  assign \control$219.last  = control3[2];
-  assign \control$219.edge  = control3[3];
-  assign \control$219.tile  = control3[7:4];
-  assign \chain_i$221[0]  = \chain_i$221 [18:0];
-  assign \chain_i$221[1]  = \chain_i$221 [37:19];
-  assign \chain_i$221[2]  = \chain_i$221 [56:38];
-  assign \chain_i$221[3]  = \chain_i$221 [75:57];
-  assign \chain_o$222[0]  = \chain_i$221 [18:0];
-  assign \chain_o$222[1]  = \chain_i$221 [37:19];
-  assign \chain_o$222[2]  = \chain_i$221 [56:38];
-  assign \chain_o$222[3]  = \chain_i$221 [75:57];
-  assign \write$225.addr  = \$66 ;
-  assign \write$225.data  = \$68 [647:576];
-  assign \control$227.en  = control3[0];
-  assign \control$227.first  = control3[1];
-  assign \control$227.last  = control3[2];
-  assign \control$227.edge  = control3[3];
-  assign \control$227.tile  = control3[7:4];
-  assign \chain_i$229[0]  = \chain_i$229 [18:0];
-  assign \chain_i$229[1]  = \chain_i$229 [37:19];
-  assign \chain_i$229[2]  = \chain_i$229 [56:38];
-  assign \chain_i$229[3]  = \chain_i$229 [75:57];
-  assign \chain_o$230[0]  = \chain_i$229 [18:0];
-  assign \chain_o$230[1]  = \chain_i$229 [37:19];
-  assign \chain_o$230[2]  = \chain_i$229 [56:38];
-  assign \chain_o$230[3]  = \chain_i$229 [75:57];
-  assign \write$233.addr  = \$66 ;
-  assign \write$233.data  = \$68 [647:576];
-  assign \control$235.en  = control3[0];
-  assign \control$235.first  = control3[1];
-  assign \control$235.last  = control3[2];
-  assign \control$235.edge  = control3[3];
-  assign \control$235.tile  = control3[7:4];
-  assign \chain_i$237[0]  = \chain_i$237 [18:0];
-  assign \chain_i$237[1]  = \chain_i$237 [37:19];
-  assign \chain_i$237[2]  = \chain_i$237 [56:38];
-  assign \chain_i$237[3]  = \chain_i$237 [75:57];
-  assign \chain_o$238[0]  = \chain_i$237 [18:0];
-  assign \chain_o$238[1]  = \chain_i$237 [37:19];
-  assign \chain_o$238[2]  = \chain_i$237 [56:38];
-  assign \chain_o$238[3]  = \chain_i$237 [75:57];
-  assign \write$241.addr  = \$66 ;
-  assign \write$241.data  = \$68 [647:576];
-  assign \control$243.en  = control3[0];
-  assign \control$243.first  = control3[1];
-  assign \control$243.last  = control3[2];
-  assign \control$243.edge  = control3[3];
-  assign \control$243.tile  = control3[7:4];
-  assign \chain_i$245[0]  = \chain_i$245 [18:0];
-  assign \chain_i$245[1]  = \chain_i$245 [37:19];
-  assign \chain_i$245[2]  = \chain_i$245 [56:38];
-  assign \chain_i$245[3]  = \chain_i$245 [75:57];
-  assign \chain_o$246[0]  = \chain_i$245 [18:0];
-  assign \chain_o$246[1]  = \chain_i$245 [37:19];
-  assign \chain_o$246[2]  = \chain_i$245 [56:38];
-  assign \chain_o$246[3]  = \chain_i$245 [75:57];
-  assign \write$249.addr  = \$66 ;
-  assign \write$249.data  = \$68 [647:576];
-  assign \control$251.en  = control3[0];
-  assign \control$251.first  = control3[1];
-  assign \control$251.last  = control3[2];
-  assign \control$251.edge  = control3[3];
-  assign \control$251.tile  = control3[7:4];
-  assign \chain_i$253[0]  = \chain_i$253 [18:0];
-  assign \chain_i$253[1]  = \chain_i$253 [37:19];
-  assign \chain_i$253[2]  = \chain_i$253 [56:38];
-  assign \chain_i$253[3]  = \chain_i$253 [75:57];
-  assign \chain_o$254[0]  = \chain_i$253 [18:0];
-  assign \chain_o$254[1]  = \chain_i$253 [37:19];
-  assign \chain_o$254[2]  = \chain_i$253 [56:38];
-  assign \chain_o$254[3]  = \chain_i$253 [75:57];
-  assign \write$257.addr  = \$66 ;
-  assign \write$257.data  = \$68 [647:576];
-  assign \control$259.en  = control3[0];
-  assign \control$259.first  = control3[1];
-  assign \control$259.last  = control3[2];
-  assign \control$259.edge  = control3[3];
-  assign \control$259.tile  = control3[7:4];
-  assign \chain_i$261[0]  = \chain_i$261 [18:0];
-  assign \chain_i$261[1]  = \chain_i$261 [37:19];
-  assign \chain_i$261[2]  = \chain_i$261 [56:38];
-  assign \chain_i$261[3]  = \chain_i$261 [75:57];
-  assign \chain_o$262[0]  = \chain_i$261 [18:0];
-  assign \chain_o$262[1]  = \chain_i$261 [37:19];
-  assign \chain_o$262[2]  = \chain_i$261 [56:38];
-  assign \chain_o$262[3]  = \chain_i$261 [75:57];
-  assign \write$265.addr  = \$66 ;
-  assign \write$265.data  = \$68 [647:576];
-  assign \control$267.en  = control3[0];
-  assign \control$267.first  = control3[1];
-  assign \control$267.last  = control3[2];
-  assign \control$267.edge  = control3[3];
-  assign \control$267.tile  = control3[7:4];
-  assign \chain_i$269[0]  = \chain_i$269 [18:0];
-  assign \chain_i$269[1]  = \chain_i$269 [37:19];
-  assign \chain_i$269[2]  = \chain_i$269 [56:38];
-  assign \chain_i$269[3]  = \chain_i$269 [75:57];
-  assign \chain_o$270[0]  = \chain_i$269 [18:0];
-  assign \chain_o$270[1]  = \chain_i$269 [37:19];
-  assign \chain_o$270[2]  = \chain_i$269 [56:38];
-  assign \chain_o$270[3]  = \chain_i$269 [75:57];
-  assign \write$273.addr  = \$66 ;
-  assign \write$273.data  = \$68 [647:576];
-  assign \control$275.en  = control3[0];
-  assign \control$275.first  = control3[1];
-  assign \control$275.last  = control3[2];
-  assign \control$275.edge  = control3[3];
-  assign \control$275.tile  = control3[7:4];
-  assign \chain_i$277[0]  = \chain_i$277 [18:0];
-  assign \chain_i$277[1]  = \chain_i$277 [37:19];
-  assign \chain_i$277[2]  = \chain_i$277 [56:38];
-  assign \chain_i$277[3]  = \chain_i$277 [75:57];
-  assign \chain_o$278[0]  = \chain_i$277 [18:0];
-  assign \chain_o$278[1]  = \chain_i$277 [37:19];
-  assign \chain_o$278[2]  = \chain_i$277 [56:38];
-  assign \chain_o$278[3]  = \chain_i$277 [75:57];
-  assign \write$281.addr  = \$66 ;
-  assign \write$281.data  = \$68 [647:576];
-  assign \control$283.en  = control3[0];
-  assign \control$283.first  = control3[1];
-  assign \control$283.last  = control3[2];
-  assign \control$283.edge  = control3[3];
-  assign \control$283.tile  = control3[7:4];
-  assign \chain_i$285[0]  = \chain_i$285 [18:0];
-  assign \chain_i$285[1]  = \chain_i$285 [37:19];
-  assign \chain_i$285[2]  = \chain_i$285 [56:38];
-  assign \chain_i$285[3]  = \chain_i$285 [75:57];
-  assign \chain_o$286[0]  = \chain_i$285 [18:0];
-  assign \chain_o$286[1]  = \chain_i$285 [37:19];
-  assign \chain_o$286[2]  = \chain_i$285 [56:38];
-  assign \chain_o$286[3]  = \chain_i$285 [75:57];
-  assign \write$289.addr  = \$66 ;
-  assign \write$289.data  = \$68 [647:576];
-  assign \control$291.en  = control3[0];
-  assign \control$291.first  = control3[1];
-  assign \control$291.last  = control3[2];
-  assign \control$291.edge  = control3[3];
-  assign \control$291.tile  = control3[7:4];
-  assign \chain_i$293[0]  = \chain_i$293 [18:0];
-  assign \chain_i$293[1]  = \chain_i$293 [37:19];
-  assign \chain_i$293[2]  = \chain_i$293 [56:38];
-  assign \chain_i$293[3]  = \chain_i$293 [75:57];
-  assign \chain_o$294[0]  = \chain_i$293 [18:0];
-  assign \chain_o$294[1]  = \chain_i$293 [37:19];
-  assign \chain_o$294[2]  = \chain_i$293 [56:38];
-  assign \chain_o$294[3]  = \chain_i$293 [75:57];
-  assign \write$297.addr  = \$66 ;
-  assign \write$297.data  = \$68 [647:576];
-  assign \control$299.en  = control3[0];
-  assign \control$299.first  = control3[1];
-  assign \control$299.last  = control3[2];
-  assign \control$299.edge  = control3[3];
-  assign \control$299.tile  = control3[7:4];
-  assign \chain_i$301[0]  = \chain_i$301 [18:0];
-  assign \chain_i$301[1]  = \chain_i$301 [37:19];
-  assign \chain_i$301[2]  = \chain_i$301 [56:38];
-  assign \chain_i$301[3]  = \chain_i$301 [75:57];
-  assign \chain_o$302[0]  = \chain_i$301 [18:0];
-  assign \chain_o$302[1]  = \chain_i$301 [37:19];
-  assign \chain_o$302[2]  = \chain_i$301 [56:38];
-  assign \chain_o$302[3]  = \chain_i$301 [75:57];
-  assign \write$305.addr  = \$66 ;
-  assign \write$305.data  = \$68 [647:576];
-  assign \control$307.en  = control3[0];
-  assign \control$307.first  = control3[1];
-  assign \control$307.last  = control3[2];
-  assign \control$307.edge  = control3[3];
-  assign \control$307.tile  = control3[7:4];
-  assign \chain_i$309[0]  = \chain_i$309 [18:0];
-  assign \chain_i$309[1]  = \chain_i$309 [37:19];
-  assign \chain_i$309[2]  = \chain_i$309 [56:38];
-  assign \chain_i$309[3]  = \chain_i$309 [75:57];
-  assign \chain_o$310[0]  = \chain_i$309 [18:0];
-  assign \chain_o$310[1]  = \chain_i$309 [37:19];
-  assign \chain_o$310[2]  = \chain_i$309 [56:38];
-  assign \chain_o$310[3]  = \chain_i$309 [75:57];
-  assign \write$313.addr  = \$66 ;
-  assign \write$313.data  = \$68 [647:576];
-  assign \control$315.en  = control3[0];
-  assign \control$315.first  = control3[1];
-  assign \control$315.last  = control3[2];
-  assign \control$315.edge  = control3[3];
-  assign \control$315.tile  = control3[7:4];
-  assign \chain_i$317[0]  = \chain_i$317 [18:0];
-  assign \chain_i$317[1]  = \chain_i$317 [37:19];
-  assign \chain_i$317[2]  = \chain_i$317 [56:38];
-  assign \chain_i$317[3]  = \chain_i$317 [75:57];
-  assign \chain_o$318[0]  = \chain_i$317 [18:0];
-  assign \chain_o$318[1]  = \chain_i$317 [37:19];
-  assign \chain_o$318[2]  = \chain_i$317 [56:38];
-  assign \chain_o$318[3]  = \chain_i$317 [75:57];
-  assign \write$321.addr  = \$66 ;
-  assign \write$321.data  = \$68 [647:576];
-  assign \control$323.en  = control3[0];
-  assign \control$323.first  = control3[1];
-  assign \control$323.last  = control3[2];
-  assign \control$323.edge  = control3[3];
-  assign \control$323.tile  = control3[7:4];
-  assign \chain_i$325[0]  = \chain_i$325 [18:0];
-  assign \chain_i$325[1]  = \chain_i$325 [37:19];
-  assign \chain_i$325[2]  = \chain_i$325 [56:38];
-  assign \chain_i$325[3]  = \chain_i$325 [75:57];
-  assign \chain_o$326[0]  = \chain_i$325 [18:0];
-  assign \chain_o$326[1]  = \chain_i$325 [37:19];
-  assign \chain_o$326[2]  = \chain_i$325 [56:38];
-  assign \chain_o$326[3]  = \chain_i$325 [75:57];
-  assign \write$329.addr  = \$66 ;
-  assign \write$329.data  = \$68 [647:576];
-  assign \control$331.en  = control3[0];
-  assign \control$331.first  = control3[1];
-  assign \control$331.last  = control3[2];
-  assign \control$331.edge  = control3[3];
-  assign \control$331.tile  = control3[7:4];
-  assign \chain_i$333[0]  = \chain_i$333 [18:0];
-  assign \chain_i$333[1]  = \chain_i$333 [37:19];
-  assign \chain_i$333[2]  = \chain_i$333 [56:38];
-  assign \chain_i$333[3]  = \chain_i$333 [75:57];
-  assign \chain_o$334[0]  = \chain_i$333 [18:0];
-  assign \chain_o$334[1]  = \chain_i$333 [37:19];
-  assign \chain_o$334[2]  = \chain_i$333 [56:38];
-  assign \chain_o$334[3]  = \chain_i$333 [75:57];
-  assign \write$337.addr  = \$66 ;
-  assign \write$337.data  = \$68 [647:576];
-  assign \control$339.en  = control3[0];
-  assign \control$339.first  = control3[1];
-  assign \control$339.last  = control3[2];
-  assign \control$339.edge  = control3[3];
-  assign \control$339.tile  = control3[7:4];
-  assign \chain_i$341[0]  = \chain_i$341 [18:0];
-  assign \chain_i$341[1]  = \chain_i$341 [37:19];
-  assign \chain_i$341[2]  = \chain_i$341 [56:38];
-  assign \chain_i$341[3]  = \chain_i$341 [75:57];
-  assign \chain_o$342[0]  = \chain_i$341 [18:0];
-  assign \chain_o$342[1]  = \chain_i$341 [37:19];
-  assign \chain_o$342[2]  = \chain_i$341 [56:38];
-  assign \chain_o$342[3]  = \chain_i$341 [75:57];
-  assign \write$345.addr  = \$66 ;
-  assign \write$345.data  = \$68 [647:576];
-  assign \control$347.en  = control3[0];
-  assign \control$347.first  = control3[1];
-  assign \control$347.last  = control3[2];
-  assign \control$347.edge  = control3[3];
-  assign \control$347.tile  = control3[7:4];
-  assign \chain_i$349[0]  = \chain_i$349 [18:0];
-  assign \chain_i$349[1]  = \chain_i$349 [37:19];
-  assign \chain_i$349[2]  = \chain_i$349 [56:38];
-  assign \chain_i$349[3]  = \chain_i$349 [75:57];
-  assign \chain_o$350[0]  = \chain_i$349 [18:0];
-  assign \chain_o$350[1]  = \chain_i$349 [37:19];
-  assign \chain_o$350[2]  = \chain_i$349 [56:38];
-  assign \chain_o$350[3]  = \chain_i$349 [75:57];
-  assign \write$353.addr  = \$66 ;
-  assign \write$353.data  = \$68 [647:576];
-  assign \control$355.en  = control3[0];
-  assign \control$355.first  = control3[1];
-  assign \control$355.last  = control3[2];
-  assign \control$355.edge  = control3[3];
-  assign \control$355.tile  = control3[7:4];
-  assign \chain_i$357[0]  = \chain_i$357 [18:0];
-  assign \chain_i$357[1]  = \chain_i$357 [37:19];
-  assign \chain_i$357[2]  = \chain_i$357 [56:38];
-  assign \chain_i$357[3]  = \chain_i$357 [75:57];
-  assign \chain_o$358[0]  = \chain_i$357 [18:0];
-  assign \chain_o$358[1]  = \chain_i$357 [37:19];
-  assign \chain_o$358[2]  = \chain_i$357 [56:38];
-  assign \chain_o$358[3]  = \chain_i$357 [75:57];
-  assign \write$361.addr  = \$66 ;
-  assign \write$361.data  = \$68 [647:576];
-  assign \control$363.en  = control3[0];
-  assign \control$363.first  = control3[1];
-  assign \control$363.last  = control3[2];
-  assign \control$363.edge  = control3[3];
-  assign \control$363.tile  = control3[7:4];
-  assign \chain_i$365[0]  = \chain_i$365 [18:0];
-  assign \chain_i$365[1]  = \chain_i$365 [37:19];
-  assign \chain_i$365[2]  = \chain_i$365 [56:38];
-  assign \chain_i$365[3]  = \chain_i$365 [75:57];
-  assign \chain_o$366[0]  = \chain_i$365 [18:0];
-  assign \chain_o$366[1]  = \chain_i$365 [37:19];
-  assign \chain_o$366[2]  = \chain_i$365 [56:38];
-  assign \chain_o$366[3]  = \chain_i$365 [75:57];
-  assign \write$369.addr  = \$66 ;
-  assign \write$369.data  = \$68 [647:576];
-  assign \control$371.en  = control3[0];
-  assign \control$371.first  = control3[1];
-  assign \control$371.last  = control3[2];
-  assign \control$371.edge  = control3[3];
-  assign \control$371.tile  = control3[7:4];
-  assign \chain_i$373[0]  = \chain_i$373 [18:0];
-  assign \chain_i$373[1]  = \chain_i$373 [37:19];
-  assign \chain_i$373[2]  = \chain_i$373 [56:38];
-  assign \chain_i$373[3]  = \chain_i$373 [75:57];
-  assign \chain_o$374[0]  = \chain_i$373 [18:0];
-  assign \chain_o$374[1]  = \chain_i$373 [37:19];
-  assign \chain_o$374[2]  = \chain_i$373 [56:38];
-  assign \chain_o$374[3]  = \chain_i$373 [75:57];
-  assign \write$377.addr  = \$66 ;
-  assign \write$377.data  = \$68 [647:576];
-  assign \control$379.en  = control3[0];
-  assign \control$379.first  = control3[1];
-  assign \control$379.last  = control3[2];
-  assign \control$379.edge  = control3[3];
-  assign \control$379.tile  = control3[7:4];
-  assign \chain_i$381[0]  = \chain_i$381 [18:0];
-  assign \chain_i$381[1]  = \chain_i$381 [37:19];
-  assign \chain_i$381[2]  = \chain_i$381 [56:38];
-  assign \chain_i$381[3]  = \chain_i$381 [75:57];
-  assign \chain_o$382[0]  = \chain_i$381 [18:0];
-  assign \chain_o$382[1]  = \chain_i$381 [37:19];
-  assign \chain_o$382[2]  = \chain_i$381 [56:38];
-  assign \chain_o$382[3]  = \chain_i$381 [75:57];
-  assign \write$385.addr  = \$66 ;
-  assign \write$385.data  = \$68 [647:576];
-  assign \control$387.en  = control3[0];
-  assign \control$387.first  = control3[1];
-  assign \control$387.last  = control3[2];
-  assign \control$387.edge  = control3[3];
-  assign \control$387.tile  = control3[7:4];
-  assign \chain_i$389[0]  = \chain_i$389 [18:0];
-  assign \chain_i$389[1]  = \chain_i$389 [37:19];
-  assign \chain_i$389[2]  = \chain_i$389 [56:38];
-  assign \chain_i$389[3]  = \chain_i$389 [75:57];
-  assign \chain_o$390[0]  = \chain_i$389 [18:0];
-  assign \chain_o$390[1]  = \chain_i$389 [37:19];
-  assign \chain_o$390[2]  = \chain_i$389 [56:38];
-  assign \chain_o$390[3]  = \chain_i$389 [75:57];
-  assign \write$393.addr  = \$66 ;
-  assign \write$393.data  = \$68 [647:576];
-  assign \control$395.en  = control3[0];
-  assign \control$395.first  = control3[1];
-  assign \control$395.last  = control3[2];
-  assign \control$395.edge  = control3[3];
-  assign \control$395.tile  = control3[7:4];
-  assign \chain_i$397[0]  = \chain_i$397 [18:0];
-  assign \chain_i$397[1]  = \chain_i$397 [37:19];
-  assign \chain_i$397[2]  = \chain_i$397 [56:38];
-  assign \chain_i$397[3]  = \chain_i$397 [75:57];
-  assign \chain_o$398[0]  = \chain_i$397 [18:0];
-  assign \chain_o$398[1]  = \chain_i$397 [37:19];
-  assign \chain_o$398[2]  = \chain_i$397 [56:38];
-  assign \chain_o$398[3]  = \chain_i$397 [75:57];
-  assign \write$401.addr  = \$66 ;
-  assign \write$401.data  = \$68 [647:576];
-  assign \control$403.en  = control3[0];
-  assign \control$403.first  = control3[1];
-  assign \control$403.last  = control3[2];
-  assign \control$403.edge  = control3[3];
-  assign \control$403.tile  = control3[7:4];
-  assign \chain_i$405[0]  = \chain_i$405 [18:0];
-  assign \chain_i$405[1]  = \chain_i$405 [37:19];
-  assign \chain_i$405[2]  = \chain_i$405 [56:38];
-  assign \chain_i$405[3]  = \chain_i$405 [75:57];
-  assign \chain_o$406[0]  = \chain_i$405 [18:0];
-  assign \chain_o$406[1]  = \chain_i$405 [37:19];
-  assign \chain_o$406[2]  = \chain_i$405 [56:38];
-  assign \chain_o$406[3]  = \chain_i$405 [75:57];
-  assign \write$409.addr  = \$66 ;
-  assign \write$409.data  = \$68 [647:576];
-  assign \control$411.en  = control3[0];
-  assign \control$411.first  = control3[1];
-  assign \control$411.last  = control3[2];
-  assign \control$411.edge  = control3[3];
-  assign \control$411.tile  = control3[7:4];
-  assign \chain_i$413[0]  = \chain_i$413 [18:0];
-  assign \chain_i$413[1]  = \chain_i$413 [37:19];
-  assign \chain_i$413[2]  = \chain_i$413 [56:38];
-  assign \chain_i$413[3]  = \chain_i$413 [75:57];
-  assign \chain_o$414[0]  = \chain_i$413 [18:0];
-  assign \chain_o$414[1]  = \chain_i$413 [37:19];
-  assign \chain_o$414[2]  = \chain_i$413 [56:38];
-  assign \chain_o$414[3]  = \chain_i$413 [75:57];
-  assign \write$417.addr  = \$66 ;
-  assign \write$417.data  = \$68 [647:576];
-  assign \control$419.en  = control3[0];
-  assign \control$419.first  = control3[1];
-  assign \control$419.last  = control3[2];
-  assign \control$419.edge  = control3[3];
-  assign \control$419.tile  = control3[7:4];
-  assign \chain_i$421[0]  = \chain_i$421 [18:0];
-  assign \chain_i$421[1]  = \chain_i$421 [37:19];
-  assign \chain_i$421[2]  = \chain_i$421 [56:38];
-  assign \chain_i$421[3]  = \chain_i$421 [75:57];
-  assign \chain_o$422[0]  = \chain_i$421 [18:0];
-  assign \chain_o$422[1]  = \chain_i$421 [37:19];
-  assign \chain_o$422[2]  = \chain_i$421 [56:38];
-  assign \chain_o$422[3]  = \chain_i$421 [75:57];
-  assign \write$425.addr  = \$66 ;
-  assign \write$425.data  = \$68 [647:576];
-  assign \control$427.en  = control3[0];
-  assign \control$427.first  = control3[1];
-  assign \control$427.last  = control3[2];
-  assign \control$427.edge  = control3[3];
-  assign \control$427.tile  = control3[7:4];
-  assign \chain_i$429[0]  = \chain_i$429 [18:0];
-  assign \chain_i$429[1]  = \chain_i$429 [37:19];
-  assign \chain_i$429[2]  = \chain_i$429 [56:38];
-  assign \chain_i$429[3]  = \chain_i$429 [75:57];
-  assign \chain_o$430[0]  = \chain_i$429 [18:0];
-  assign \chain_o$430[1]  = \chain_i$429 [37:19];
-  assign \chain_o$430[2]  = \chain_i$429 [56:38];
-  assign \chain_o$430[3]  = \chain_i$429 [75:57];
-  assign \write$433.addr  = \$66 ;
-  assign \write$433.data  = \$68 [647:576];
-  assign \control$435.en  = control3[0];
-  assign \control$435.first  = control3[1];
-  assign \control$435.last  = control3[2];
-  assign \control$435.edge  = control3[3];
-  assign \control$435.tile  = control3[7:4];
-  assign \chain_i$437[0]  = \chain_i$437 [18:0];
-  assign \chain_i$437[1]  = \chain_i$437 [37:19];
-  assign \chain_i$437[2]  = \chain_i$437 [56:38];
-  assign \chain_i$437[3]  = \chain_i$437 [75:57];
-  assign \chain_o$438[0]  = \chain_i$437 [18:0];
-  assign \chain_o$438[1]  = \chain_i$437 [37:19];
-  assign \chain_o$438[2]  = \chain_i$437 [56:38];
-  assign \chain_o$438[3]  = \chain_i$437 [75:57];
-  assign \write$441.addr  = \$66 ;
-  assign \write$441.data  = \$68 [647:576];
-  assign \control$443.en  = control3[0];
-  assign \control$443.first  = control3[1];
-  assign \control$443.last  = control3[2];
-  assign \control$443.edge  = control3[3];
-  assign \control$443.tile  = control3[7:4];
-  assign \chain_i$445[0]  = \chain_i$445 [18:0];
-  assign \chain_i$445[1]  = \chain_i$445 [37:19];
-  assign \chain_i$445[2]  = \chain_i$445 [56:38];
-  assign \chain_i$445[3]  = \chain_i$445 [75:57];
-  assign \chain_o$446[0]  = \chain_i$445 [18:0];
-  assign \chain_o$446[1]  = \chain_i$445 [37:19];
-  assign \chain_o$446[2]  = \chain_i$445 [56:38];
-  assign \chain_o$446[3]  = \chain_i$445 [75:57];
-  assign \write$449.addr  = \$66 ;
-  assign \write$449.data  = \$68 [647:576];
-  assign \control$451.en  = control3[0];
-  assign \control$451.first  = control3[1];
-  assign \control$451.last  = control3[2];
-  assign \control$451.edge  = control3[3];
-  assign \control$451.tile  = control3[7:4];
-  assign \chain_i$453[0]  = \chain_i$453 [18:0];
-  assign \chain_i$453[1]  = \chain_i$453 [37:19];
-  assign \chain_i$453[2]  = \chain_i$453 [56:38];
-  assign \chain_i$453[3]  = \chain_i$453 [75:57];
-  assign \chain_o$454[0]  = \chain_i$453 [18:0];
-  assign \chain_o$454[1]  = \chain_i$453 [37:19];
-  assign \chain_o$454[2]  = \chain_i$453 [56:38];
-  assign \chain_o$454[3]  = \chain_i$453 [75:57];
-  assign \write$457.addr  = \$66 ;
-  assign \write$457.data  = \$68 [647:576];
-  assign \control$459.en  = control3[0];
-  assign \control$459.first  = control3[1];
-  assign \control$459.last  = control3[2];
-  assign \control$459.edge  = control3[3];
-  assign \control$459.tile  = control3[7:4];
-  assign \chain_i$461[0]  = \chain_i$461 [18:0];
-  assign \chain_i$461[1]  = \chain_i$461 [37:19];
-  assign \chain_i$461[2]  = \chain_i$461 [56:38];
-  assign \chain_i$461[3]  = \chain_i$461 [75:57];
-  assign \chain_o$462[0]  = \chain_i$461 [18:0];
-  assign \chain_o$462[1]  = \chain_i$461 [37:19];
-  assign \chain_o$462[2]  = \chain_i$461 [56:38];
-  assign \chain_o$462[3]  = \chain_i$461 [75:57];
-  assign \write$465.addr  = \$66 ;
-  assign \write$465.data  = \$68 [647:576];
-  assign \control$467.en  = control3[0];
-  assign \control$467.first  = control3[1];
-  assign \control$467.last  = control3[2];
-  assign \control$467.edge  = control3[3];
-  assign \control$467.tile  = control3[7:4];
-  assign \chain_i$469[0]  = \chain_i$469 [18:0];
-  assign \chain_i$469[1]  = \chain_i$469 [37:19];
-  assign \chain_i$469[2]  = \chain_i$469 [56:38];
-  assign \chain_i$469[3]  = \chain_i$469 [75:57];
-  assign \chain_o$470[0]  = \chain_i$469 [18:0];
-  assign \chain_o$470[1]  = \chain_i$469 [37:19];
-  assign \chain_o$470[2]  = \chain_i$469 [56:38];
-  assign \chain_o$470[3]  = \chain_i$469 [75:57];
-  assign \write$473.addr  = \$66 ;
-  assign \write$473.data  = \$68 [647:576];
-  assign \control$475.en  = control3[0];
-  assign \control$475.first  = control3[1];
-  assign \control$475.last  = control3[2];
-  assign \control$475.edge  = control3[3];
-  assign \control$475.tile  = control3[7:4];
-  assign \chain_i$477[0]  = \chain_i$477 [18:0];
-  assign \chain_i$477[1]  = \chain_i$477 [37:19];
-  assign \chain_i$477[2]  = \chain_i$477 [56:38];
-  assign \chain_i$477[3]  = \chain_i$477 [75:57];
-  assign \chain_o$478[0]  = \chain_i$477 [18:0];
-  assign \chain_o$478[1]  = \chain_i$477 [37:19];
-  assign \chain_o$478[2]  = \chain_i$477 [56:38];
-  assign \chain_o$478[3]  = \chain_i$477 [75:57];
-  assign \write$481.addr  = \$66 ;
-  assign \write$481.data  = \$68 [647:576];
-  assign \control$483.en  = control3[0];
-  assign \control$483.first  = control3[1];
-  assign \control$483.last  = control3[2];
-  assign \control$483.edge  = control3[3];
-  assign \control$483.tile  = control3[7:4];
-  assign \chain_i$485[0]  = \chain_i$485 [18:0];
-  assign \chain_i$485[1]  = \chain_i$485 [37:19];
-  assign \chain_i$485[2]  = \chain_i$485 [56:38];
-  assign \chain_i$485[3]  = \chain_i$485 [75:57];
-  assign \chain_o$486[0]  = \chain_i$485 [18:0];
-  assign \chain_o$486[1]  = \chain_i$485 [37:19];
-  assign \chain_o$486[2]  = \chain_i$485 [56:38];
-  assign \chain_o$486[3]  = \chain_i$485 [75:57];
-  assign \write$489.addr  = \$66 ;
-  assign \write$489.data  = \$68 [647:576];
-  assign \control$491.en  = control3[0];
-  assign \control$491.first  = control3[1];
-  assign \control$491.last  = control3[2];
-  assign \control$491.edge  = control3[3];
-  assign \control$491.tile  = control3[7:4];
-  assign \chain_i$493[0]  = \chain_i$493 [18:0];
-  assign \chain_i$493[1]  = \chain_i$493 [37:19];
-  assign \chain_i$493[2]  = \chain_i$493 [56:38];
-  assign \chain_i$493[3]  = \chain_i$493 [75:57];
-  assign \chain_o$494[0]  = \chain_i$493 [18:0];
-  assign \chain_o$494[1]  = \chain_i$493 [37:19];
-  assign \chain_o$494[2]  = \chain_i$493 [56:38];
-  assign \chain_o$494[3]  = \chain_i$493 [75:57];
-  assign \write$497.addr  = \$66 ;
-  assign \write$497.data  = \$68 [647:576];
-  assign \control$499.en  = control3[0];
-  assign \control$499.first  = control3[1];
-  assign \control$499.last  = control3[2];
-  assign \control$499.edge  = control3[3];
-  assign \control$499.tile  = control3[7:4];
-  assign \chain_i$501[0]  = \chain_i$501 [18:0];
-  assign \chain_i$501[1]  = \chain_i$501 [37:19];
-  assign \chain_i$501[2]  = \chain_i$501 [56:38];
-  assign \chain_i$501[3]  = \chain_i$501 [75:57];
-  assign \chain_o$502[0]  = \chain_i$501 [18:0];
-  assign \chain_o$502[1]  = \chain_i$501 [37:19];
-  assign \chain_o$502[2]  = \chain_i$501 [56:38];
-  assign \chain_o$502[3]  = \chain_i$501 [75:57];
-  assign \write$505.addr  = \$66 ;
-  assign \write$505.data  = \$68 [647:576];
-  assign \control$507.en  = control3[0];
-  assign \control$507.first  = control3[1];
-  assign \control$507.last  = control3[2];
-  assign \control$507.edge  = control3[3];
-  assign \control$507.tile  = control3[7:4];
-  assign \chain_i$509[0]  = \chain_i$509 [18:0];
-  assign \chain_i$509[1]  = \chain_i$509 [37:19];
-  assign \chain_i$509[2]  = \chain_i$509 [56:38];
-  assign \chain_i$509[3]  = \chain_i$509 [75:57];
-  assign \chain_o$510[0]  = \chain_i$509 [18:0];
-  assign \chain_o$510[1]  = \chain_i$509 [37:19];
-  assign \chain_o$510[2]  = \chain_i$509 [56:38];
-  assign \chain_o$510[3]  = \chain_i$509 [75:57];
-  assign \write$513.addr  = \$66 ;
-  assign \write$513.data  = \$68 [647:576];
-  assign \control$515.en  = control3[0];
-  assign \control$515.first  = control3[1];
-  assign \control$515.last  = control3[2];
-  assign \control$515.edge  = control3[3];
-  assign \control$515.tile  = control3[7:4];
-  assign \chain_i$517[0]  = \chain_i$517 [18:0];
-  assign \chain_i$517[1]  = \chain_i$517 [37:19];
-  assign \chain_i$517[2]  = \chain_i$517 [56:38];
-  assign \chain_i$517[3]  = \chain_i$517 [75:57];
-  assign \chain_o$518[0]  = \chain_i$517 [18:0];
-  assign \chain_o$518[1]  = \chain_i$517 [37:19];
-  assign \chain_o$518[2]  = \chain_i$517 [56:38];
-  assign \chain_o$518[3]  = \chain_i$517 [75:57];
-  assign \write$521.addr  = \$66 ;
-  assign \write$521.data  = \$68 [647:576];
-  assign \control$523.en  = control3[0];
-  assign \control$523.first  = control3[1];
-  assign \control$523.last  = control3[2];
-  assign \control$523.edge  = control3[3];
-  assign \control$523.tile  = control3[7:4];
-  assign \chain_i$525[0]  = \chain_i$525 [18:0];
-  assign \chain_i$525[1]  = \chain_i$525 [37:19];
-  assign \chain_i$525[2]  = \chain_i$525 [56:38];
-  assign \chain_i$525[3]  = \chain_i$525 [75:57];
-  assign \chain_o$526[0]  = \chain_i$525 [18:0];
-  assign \chain_o$526[1]  = \chain_i$525 [37:19];
-  assign \chain_o$526[2]  = \chain_i$525 [56:38];
-  assign \chain_o$526[3]  = \chain_i$525 [75:57];
-  assign \write$529.addr  = \$66 ;
-  assign \write$529.data  = \$68 [647:576];
-  assign \control$531.en  = control3[0];
-  assign \control$531.first  = control3[1];
-  assign \control$531.last  = control3[2];
-  assign \control$531.edge  = control3[3];
-  assign \control$531.tile  = control3[7:4];
-  assign \chain_i$533[0]  = \chain_i$533 [18:0];
-  assign \chain_i$533[1]  = \chain_i$533 [37:19];
-  assign \chain_i$533[2]  = \chain_i$533 [56:38];
-  assign \chain_i$533[3]  = \chain_i$533 [75:57];
-  assign \chain_o$534[0]  = \chain_i$533 [18:0];
-  assign \chain_o$534[1]  = \chain_i$533 [37:19];
-  assign \chain_o$534[2]  = \chain_i$533 [56:38];
-  assign \chain_o$534[3]  = \chain_i$533 [75:57];
-  assign \write$537.addr  = \$66 ;
-  assign \write$537.data  = \$68 [647:576];
-  assign \control$539.en  = control3[0];
-  assign \control$539.first  = control3[1];
-  assign \control$539.last  = control3[2];
-  assign \control$539.edge  = control3[3];
-  assign \control$539.tile  = control3[7:4];
-  assign \chain_i$541[0]  = \chain_i$541 [18:0];
-  assign \chain_i$541[1]  = \chain_i$541 [37:19];
-  assign \chain_i$541[2]  = \chain_i$541 [56:38];
-  assign \chain_i$541[3]  = \chain_i$541 [75:57];
-  assign \chain_o$542[0]  = \chain_i$541 [18:0];
-  assign \chain_o$542[1]  = \chain_i$541 [37:19];
-  assign \chain_o$542[2]  = \chain_i$541 [56:38];
-  assign \chain_o$542[3]  = \chain_i$541 [75:57];
-  assign \write$545.addr  = \$66 ;
-  assign \write$545.data  = \$68 [647:576];
-  assign \control$547.en  = control3[0];
-  assign \control$547.first  = control3[1];
-  assign \control$547.last  = control3[2];
-  assign \control$547.edge  = control3[3];
-  assign \control$547.tile  = control3[7:4];
-  assign \chain_i$549[0]  = \chain_i$549 [18:0];
-  assign \chain_i$549[1]  = \chain_i$549 [37:19];
-  assign \chain_i$549[2]  = \chain_i$549 [56:38];
-  assign \chain_i$549[3]  = \chain_i$549 [75:57];
-  assign \chain_o$550[0]  = \chain_i$549 [18:0];
-  assign \chain_o$550[1]  = \chain_i$549 [37:19];
-  assign \chain_o$550[2]  = \chain_i$549 [56:38];
-  assign \chain_o$550[3]  = \chain_i$549 [75:57];
-  assign \write$553.addr  = \$66 ;
-  assign \write$553.data  = \$68 [647:576];
-  assign \control$555.en  = control3[0];
-  assign \control$555.first  = control3[1];
-  assign \control$555.last  = control3[2];
-  assign \control$555.edge  = control3[3];
-  assign \control$555.tile  = control3[7:4];
-  assign \chain_i$557[0]  = \chain_i$557 [18:0];
-  assign \chain_i$557[1]  = \chain_i$557 [37:19];
-  assign \chain_i$557[2]  = \chain_i$557 [56:38];
-  assign \chain_i$557[3]  = \chain_i$557 [75:57];
-  assign \chain_o$558[0]  = \chain_i$557 [18:0];
-  assign \chain_o$558[1]  = \chain_i$557 [37:19];
-  assign \chain_o$558[2]  = \chain_i$557 [56:38];
-  assign \chain_o$558[3]  = \chain_i$557 [75:57];
-  assign \write$561.addr  = \$66 ;
-  assign \write$561.data  = \$68 [647:576];
-  assign \control$563.en  = control3[0];
-  assign \control$563.first  = control3[1];
-  assign \control$563.last  = control3[2];
-  assign \control$563.edge  = control3[3];
-  assign \control$563.tile  = control3[7:4];
-  assign \chain_i$565[0]  = \chain_i$565 [18:0];
-  assign \chain_i$565[1]  = \chain_i$565 [37:19];
-  assign \chain_i$565[2]  = \chain_i$565 [56:38];
-  assign \chain_i$565[3]  = \chain_i$565 [75:57];
-  assign \chain_o$566[0]  = \chain_i$565 [18:0];
-  assign \chain_o$566[1]  = \chain_i$565 [37:19];
-  assign \chain_o$566[2]  = \chain_i$565 [56:38];
-  assign \chain_o$566[3]  = \chain_i$565 [75:57];
-  assign \write$569.addr  = \$66 ;
-  assign \write$569.data  = \$68 [647:576];
-  assign \control$571.en  = control3[0];
-  assign \control$571.first  = control3[1];
-  assign \control$571.last  = control3[2];
-  assign \control$571.edge  = control3[3];
-  assign \control$571.tile  = control3[7:4];
-  assign \chain_i$573[0]  = \chain_i$573 [18:0];
-  assign \chain_i$573[1]  = \chain_i$573 [37:19];
-  assign \chain_i$573[2]  = \chain_i$573 [56:38];
-  assign \chain_i$573[3]  = \chain_i$573 [75:57];
-  assign \chain_o$574[0]  = \chain_i$573 [18:0];
-  assign \chain_o$574[1]  = \chain_i$573 [37:19];
-  assign \chain_o$574[2]  = \chain_i$573 [56:38];
-  assign \chain_o$574[3]  = \chain_i$573 [75:57];
-  assign \write$577.addr  = \$66 ;
-  assign \write$577.data  = \$68 [647:576];
-  assign \control$579.en  = control3[0];
-  assign \control$579.first  = control3[1];
-  assign \control$579.last  = control3[2];
-  assign \control$579.edge  = control3[3];
-  assign \control$579.tile  = control3[7:4];
-  assign \chain_i$581[0]  = \chain_i$581 [18:0];
-  assign \chain_i$581[1]  = \chain_i$581 [37:19];
-  assign \chain_i$581[2]  = \chain_i$581 [56:38];
-  assign \chain_i$581[3]  = \chain_i$581 [75:57];
-  assign \chain_o$582[0]  = \chain_i$581 [18:0];
-  assign \chain_o$582[1]  = \chain_i$581 [37:19];
-  assign \chain_o$582[2]  = \chain_i$581 [56:38];
-  assign \chain_o$582[3]  = \chain_i$581 [75:57];
-  assign \write$585.addr  = \$66 ;
-  assign \write$585.data  = \$68 [647:576];
-  assign \control$587.en  = control3[0];
-  assign \control$587.first  = control3[1];
-  assign \control$587.last  = control3[2];
-  assign \control$587.edge  = control3[3];
-  assign \control$587.tile  = control3[7:4];
-  assign \chain_i$589[0]  = \chain_i$589 [18:0];
-  assign \chain_i$589[1]  = \chain_i$589 [37:19];
-  assign \chain_i$589[2]  = \chain_i$589 [56:38];
-  assign \chain_i$589[3]  = \chain_i$589 [75:57];
-  assign \chain_o$590[0]  = \chain_i$589 [18:0];
-  assign \chain_o$590[1]  = \chain_i$589 [37:19];
-  assign \chain_o$590[2]  = \chain_i$589 [56:38];
-  assign \chain_o$590[3]  = \chain_i$589 [75:57];
-  assign \write$593.addr  = \$66 ;
-  assign \write$593.data  = \$68 [647:576];
-  assign \control$595.en  = control3[0];
-  assign \control$595.first  = control3[1];
-  assign \control$595.last  = control3[2];
-  assign \control$595.edge  = control3[3];
-  assign \control$595.tile  = control3[7:4];
-  assign \chain_i$597[0]  = \chain_i$597 [18:0];
-  assign \chain_i$597[1]  = \chain_i$597 [37:19];
-  assign \chain_i$597[2]  = \chain_i$597 [56:38];
-  assign \chain_i$597[3]  = \chain_i$597 [75:57];
-  assign \chain_o$598[0]  = \chain_i$597 [18:0];
-  assign \chain_o$598[1]  = \chain_i$597 [37:19];
-  assign \chain_o$598[2]  = \chain_i$597 [56:38];
-  assign \chain_o$598[3]  = \chain_i$597 [75:57];
-  assign \write$601.addr  = \$66 ;
-  assign \write$601.data  = \$68 [647:576];
-  assign \control$603.en  = control3[0];
-  assign \control$603.first  = control3[1];
-  assign \control$603.last  = control3[2];
-  assign \control$603.edge  = control3[3];
-  assign \control$603.tile  = control3[7:4];
-  assign \write$607.addr  = \$66 ;
-  assign \write$607.data  = \$68 [647:576];
-  assign \control$609.en  = control3[0];
-  assign \control$609.first  = control3[1];
-  assign \control$609.last  = control3[2];
-  assign \control$609.edge  = control3[3];
-  assign \control$609.tile  = control3[7:4];
-  assign \write$613.addr  = \$66 ;
-  assign \write$613.data  = \$68 [647:576];
-  assign \control$615.en  = control3[0];
-  assign \control$615.first  = control3[1];
-  assign \control$615.last  = control3[2];
-  assign \control$615.edge  = control3[3];
-  assign \control$615.tile  = control3[7:4];
-  assign \write$619.addr  = \$66 ;
-  assign \write$619.data  = \$68 [647:576];
-  assign \control$621.en  = control3[0];
-  assign \control$621.first  = control3[1];
-  assign \control$621.last  = control3[2];
-  assign \control$621.edge  = control3[3];
-  assign \control$621.tile  = control3[7:4];
+  assign \chain_o$129[0]  = chain_i[18:0];
+  assign \chain_o$129[1]  = chain_i[37:19];
+  assign \chain_o$129[2]  = chain_i[56:38];
+  assign \chain_o$129[3]  = chain_i[75:57];
+  assign \write$132.addr  = \$68 ;
+  assign \write$132.data  = \$70 [647:576];
+  assign \control$134.en  = control[0];
+  assign \control$134.first  = control[1];
+  assign \control$134.last  = control[2];
+  assign \control$134.edge  = control[3];
+  assign \control$134.tile  = control[7:4];
+  assign \chain_o$136[0]  = \chain_o$136 [18:0];
+  assign \chain_o$136[1]  = \chain_o$136 [37:19];
+  assign \chain_o$136[2]  = \chain_o$136 [56:38];
+  assign \chain_o$136[3]  = \chain_o$136 [75:57];
+  assign \chain_i$137[0]  = \chain_i$137 [18:0];
+  assign \chain_i$137[1]  = \chain_i$137 [37:19];
+  assign \chain_i$137[2]  = \chain_i$137 [56:38];
+  assign \chain_i$137[3]  = \chain_i$137 [75:57];
+  assign \chain_o$138[0]  = \chain_i$137 [18:0];
+  assign \chain_o$138[1]  = \chain_i$137 [37:19];
+  assign \chain_o$138[2]  = \chain_i$137 [56:38];
+  assign \chain_o$138[3]  = \chain_i$137 [75:57];
+  assign \write$141.addr  = \$68 ;
+  assign \write$141.data  = \$70 [647:576];
+  assign \control$143.en  = control[0];
+  assign \control$143.first  = control[1];
+  assign \control$143.last  = control[2];
+  assign \control$143.edge  = control[3];
+  assign \control$143.tile  = control[7:4];
+  assign \chain_o$145[0]  = \chain_o$145 [18:0];
+  assign \chain_o$145[1]  = \chain_o$145 [37:19];
+  assign \chain_o$145[2]  = \chain_o$145 [56:38];
+  assign \chain_o$145[3]  = \chain_o$145 [75:57];
+  assign \chain_i$146[0]  = \chain_i$146 [18:0];
+  assign \chain_i$146[1]  = \chain_i$146 [37:19];
+  assign \chain_i$146[2]  = \chain_i$146 [56:38];
+  assign \chain_i$146[3]  = \chain_i$146 [75:57];
+  assign \chain_o$147[0]  = \chain_i$146 [18:0];
+  assign \chain_o$147[1]  = \chain_i$146 [37:19];
+  assign \chain_o$147[2]  = \chain_i$146 [56:38];
+  assign \chain_o$147[3]  = \chain_i$146 [75:57];
+  assign \write$150.addr  = \$68 ;
+  assign \write$150.data  = \$70 [647:576];
+  assign \control$152.en  = control[0];
+  assign \control$152.first  = control[1];
+  assign \control$152.last  = control[2];
+  assign \control$152.edge  = control[3];
+  assign \control$152.tile  = control[7:4];
+  assign \chain_o$154[0]  = \chain_o$154 [18:0];
+  assign \chain_o$154[1]  = \chain_o$154 [37:19];
+  assign \chain_o$154[2]  = \chain_o$154 [56:38];
+  assign \chain_o$154[3]  = \chain_o$154 [75:57];
+  assign \chain_i$155[0]  = \chain_i$155 [18:0];
+  assign \chain_i$155[1]  = \chain_i$155 [37:19];
+  assign \chain_i$155[2]  = \chain_i$155 [56:38];
+  assign \chain_i$155[3]  = \chain_i$155 [75:57];
+  assign \chain_o$156[0]  = \chain_i$155 [18:0];
+  assign \chain_o$156[1]  = \chain_i$155 [37:19];
+  assign \chain_o$156[2]  = \chain_i$155 [56:38];
+  assign \chain_o$156[3]  = \chain_i$155 [75:57];
+  assign \write$159.addr  = \$68 ;
+  assign \write$159.data  = \$70 [647:576];
+  assign \control$161.en  = control[0];
+  assign \control$161.first  = control[1];
+  assign \control$161.last  = control[2];
+  assign \control$161.edge  = control[3];
+  assign \control$161.tile  = control[7:4];
+  assign \chain_i$163[0]  = \chain_i$163 [18:0];
+  assign \chain_i$163[1]  = \chain_i$163 [37:19];
+  assign \chain_i$163[2]  = \chain_i$163 [56:38];
+  assign \chain_i$163[3]  = \chain_i$163 [75:57];
+  assign \chain_o$164[0]  = \chain_i$163 [18:0];
+  assign \chain_o$164[1]  = \chain_i$163 [37:19];
+  assign \chain_o$164[2]  = \chain_i$163 [56:38];
+  assign \chain_o$164[3]  = \chain_i$163 [75:57];
+  assign \write$167.addr  = \$68 ;
+  assign \write$167.data  = \$70 [647:576];
+  assign \control$169.en  = control[0];
+  assign \control$169.first  = control[1];
+  assign \control$169.last  = control[2];
+  assign \control$169.edge  = control[3];
+  assign \control$169.tile  = control[7:4];
+  assign \chain_i$171[0]  = \chain_i$171 [18:0];
+  assign \chain_i$171[1]  = \chain_i$171 [37:19];
+  assign \chain_i$171[2]  = \chain_i$171 [56:38];
+  assign \chain_i$171[3]  = \chain_i$171 [75:57];
+  assign \chain_o$172[0]  = \chain_i$171 [18:0];
+  assign \chain_o$172[1]  = \chain_i$171 [37:19];
+  assign \chain_o$172[2]  = \chain_i$171 [56:38];
+  assign \chain_o$172[3]  = \chain_i$171 [75:57];
+  assign \write$175.addr  = \$68 ;
+  assign \write$175.data  = \$70 [647:576];
+  assign \control$177.en  = control[0];
+  assign \control$177.first  = control[1];
+  assign \control$177.last  = control[2];
+  assign \control$177.edge  = control[3];
+  assign \control$177.tile  = control[7:4];
+  assign \chain_i$179[0]  = \chain_i$179 [18:0];
+  assign \chain_i$179[1]  = \chain_i$179 [37:19];
+  assign \chain_i$179[2]  = \chain_i$179 [56:38];
+  assign \chain_i$179[3]  = \chain_i$179 [75:57];
+  assign \chain_o$180[0]  = \chain_i$179 [18:0];
+  assign \chain_o$180[1]  = \chain_i$179 [37:19];
+  assign \chain_o$180[2]  = \chain_i$179 [56:38];
+  assign \chain_o$180[3]  = \chain_i$179 [75:57];
+  assign \write$183.addr  = \$68 ;
+  assign \write$183.data  = \$70 [647:576];
+  assign \control$185.en  = control[0];
+  assign \control$185.first  = control[1];
+  assign \control$185.last  = control[2];
+  assign \control$185.edge  = control[3];
+  assign \control$185.tile  = control[7:4];
+  assign \chain_i$187[0]  = \chain_i$187 [18:0];
+  assign \chain_i$187[1]  = \chain_i$187 [37:19];
+  assign \chain_i$187[2]  = \chain_i$187 [56:38];
+  assign \chain_i$187[3]  = \chain_i$187 [75:57];
+  assign \chain_o$188[0]  = \chain_i$187 [18:0];
+  assign \chain_o$188[1]  = \chain_i$187 [37:19];
+  assign \chain_o$188[2]  = \chain_i$187 [56:38];
+  assign \chain_o$188[3]  = \chain_i$187 [75:57];
+  assign \write$191.addr  = \$68 ;
+  assign \write$191.data  = \$70 [647:576];
+  assign \control$193.en  = control[0];
+  assign \control$193.first  = control[1];
+  assign \control$193.last  = control[2];
+  assign \control$193.edge  = control[3];
+  assign \control$193.tile  = control[7:4];
+  assign \chain_i$195[0]  = \chain_i$195 [18:0];
+  assign \chain_i$195[1]  = \chain_i$195 [37:19];
+  assign \chain_i$195[2]  = \chain_i$195 [56:38];
+  assign \chain_i$195[3]  = \chain_i$195 [75:57];
+  assign \chain_o$196[0]  = \chain_i$195 [18:0];
+  assign \chain_o$196[1]  = \chain_i$195 [37:19];
+  assign \chain_o$196[2]  = \chain_i$195 [56:38];
+  assign \chain_o$196[3]  = \chain_i$195 [75:57];
+  assign \write$199.addr  = \$68 ;
+  assign \write$199.data  = \$70 [647:576];
+  assign \control$201.en  = control[0];
+  assign \control$201.first  = control[1];
+  assign \control$201.last  = control[2];
+  assign \control$201.edge  = control[3];
+  assign \control$201.tile  = control[7:4];
+  assign \chain_i$203[0]  = \chain_i$203 [18:0];
+  assign \chain_i$203[1]  = \chain_i$203 [37:19];
+  assign \chain_i$203[2]  = \chain_i$203 [56:38];
+  assign \chain_i$203[3]  = \chain_i$203 [75:57];
+  assign \chain_o$204[0]  = \chain_i$203 [18:0];
+  assign \chain_o$204[1]  = \chain_i$203 [37:19];
+  assign \chain_o$204[2]  = \chain_i$203 [56:38];
+  assign \chain_o$204[3]  = \chain_i$203 [75:57];
+  assign \write$207.addr  = \$68 ;
+  assign \write$207.data  = \$70 [647:576];
+  assign \control$209.en  = control[0];
+  assign \control$209.first  = control[1];
+  assign \control$209.last  = control[2];
+  assign \control$209.edge  = control[3];
+  assign \control$209.tile  = control[7:4];
+  assign \chain_i$211[0]  = \chain_i$211 [18:0];
+  assign \chain_i$211[1]  = \chain_i$211 [37:19];
+  assign \chain_i$211[2]  = \chain_i$211 [56:38];
+  assign \chain_i$211[3]  = \chain_i$211 [75:57];
+  assign \chain_o$212[0]  = \chain_i$211 [18:0];
+  assign \chain_o$212[1]  = \chain_i$211 [37:19];
+  assign \chain_o$212[2]  = \chain_i$211 [56:38];
+  assign \chain_o$212[3]  = \chain_i$211 [75:57];
+  assign \write$215.addr  = \$68 ;
+  assign \write$215.data  = \$70 [647:576];
+  assign \control$217.en  = control[0];
+  assign \control$217.first  = control[1];
+  assign \control$217.last  = control[2];
+  assign \control$217.edge  = control[3];
+  assign \control$217.tile  = control[7:4];
+  assign \chain_i$219[0]  = \chain_i$219 [18:0];
+  assign \chain_i$219[1]  = \chain_i$219 [37:19];
+  assign \chain_i$219[2]  = \chain_i$219 [56:38];
+  assign \chain_i$219[3]  = \chain_i$219 [75:57];
+  assign \chain_o$220[0]  = \chain_i$219 [18:0];
+  assign \chain_o$220[1]  = \chain_i$219 [37:19];
+  assign \chain_o$220[2]  = \chain_i$219 [56:38];
+  assign \chain_o$220[3]  = \chain_i$219 [75:57];
+  assign \write$223.addr  = \$68 ;
+  assign \write$223.data  = \$70 [647:576];
+  assign \control$225.en  = control[0];
+  assign \control$225.first  = control[1];
+  assign \control$225.last  = control[2];
+  assign \control$225.edge  = control[3];
+  assign \control$225.tile  = control[7:4];
+  assign \chain_i$227[0]  = \chain_i$227 [18:0];
+  assign \chain_i$227[1]  = \chain_i$227 [37:19];
+  assign \chain_i$227[2]  = \chain_i$227 [56:38];
+  assign \chain_i$227[3]  = \chain_i$227 [75:57];
+  assign \chain_o$228[0]  = \chain_i$227 [18:0];
+  assign \chain_o$228[1]  = \chain_i$227 [37:19];
+  assign \chain_o$228[2]  = \chain_i$227 [56:38];
+  assign \chain_o$228[3]  = \chain_i$227 [75:57];
+  assign \write$231.addr  = \$68 ;
+  assign \write$231.data  = \$70 [647:576];
+  assign \control$233.en  = control[0];
+  assign \control$233.first  = control[1];
+  assign \control$233.last  = control[2];
+  assign \control$233.edge  = control[3];
+  assign \control$233.tile  = control[7:4];
+  assign \chain_i$235[0]  = \chain_i$235 [18:0];
+  assign \chain_i$235[1]  = \chain_i$235 [37:19];
+  assign \chain_i$235[2]  = \chain_i$235 [56:38];
+  assign \chain_i$235[3]  = \chain_i$235 [75:57];
+  assign \chain_o$236[0]  = \chain_i$235 [18:0];
+  assign \chain_o$236[1]  = \chain_i$235 [37:19];
+  assign \chain_o$236[2]  = \chain_i$235 [56:38];
+  assign \chain_o$236[3]  = \chain_i$235 [75:57];
+  assign \write$239.addr  = \$68 ;
+  assign \write$239.data  = \$70 [647:576];
+  assign \control$241.en  = control[0];
+  assign \control$241.first  = control[1];
+  assign \control$241.last  = control[2];
+  assign \control$241.edge  = control[3];
+  assign \control$241.tile  = control[7:4];
+  assign \chain_i$243[0]  = \chain_i$243 [18:0];
+  assign \chain_i$243[1]  = \chain_i$243 [37:19];
+  assign \chain_i$243[2]  = \chain_i$243 [56:38];
+  assign \chain_i$243[3]  = \chain_i$243 [75:57];
+  assign \chain_o$244[0]  = \chain_i$243 [18:0];
+  assign \chain_o$244[1]  = \chain_i$243 [37:19];
+  assign \chain_o$244[2]  = \chain_i$243 [56:38];
+  assign \chain_o$244[3]  = \chain_i$243 [75:57];
+  assign \write$247.addr  = \$68 ;
+  assign \write$247.data  = \$70 [647:576];
+  assign \control$249.en  = control[0];
+  assign \control$249.first  = control[1];
+  assign \control$249.last  = control[2];
+  assign \control$249.edge  = control[3];
+  assign \control$249.tile  = control[7:4];
+  assign \chain_i$251[0]  = \chain_i$251 [18:0];
+  assign \chain_i$251[1]  = \chain_i$251 [37:19];
+  assign \chain_i$251[2]  = \chain_i$251 [56:38];
+  assign \chain_i$251[3]  = \chain_i$251 [75:57];
+  assign \chain_o$252[0]  = \chain_i$251 [18:0];
+  assign \chain_o$252[1]  = \chain_i$251 [37:19];
+  assign \chain_o$252[2]  = \chain_i$251 [56:38];
+  assign \chain_o$252[3]  = \chain_i$251 [75:57];
+  assign \write$255.addr  = \$68 ;
+  assign \write$255.data  = \$70 [647:576];
+  assign \control$257.en  = control[0];
+  assign \control$257.first  = control[1];
+  assign \control$257.last  = control[2];
+  assign \control$257.edge  = control[3];
+  assign \control$257.tile  = control[7:4];
+  assign \chain_i$259[0]  = \chain_i$259 [18:0];
+  assign \chain_i$259[1]  = \chain_i$259 [37:19];
+  assign \chain_i$259[2]  = \chain_i$259 [56:38];
+  assign \chain_i$259[3]  = \chain_i$259 [75:57];
+  assign \chain_o$260[0]  = \chain_i$259 [18:0];
+  assign \chain_o$260[1]  = \chain_i$259 [37:19];
+  assign \chain_o$260[2]  = \chain_i$259 [56:38];
+  assign \chain_o$260[3]  = \chain_i$259 [75:57];
+  assign \write$263.addr  = \$68 ;
+  assign \write$263.data  = \$70 [647:576];
+  assign \control$265.en  = control[0];
+  assign \control$265.first  = control[1];
+  assign \control$265.last  = control[2];
+  assign \control$265.edge  = control[3];
+  assign \control$265.tile  = control[7:4];
+  assign \chain_i$267[0]  = \chain_i$267 [18:0];
+  assign \chain_i$267[1]  = \chain_i$267 [37:19];
+  assign \chain_i$267[2]  = \chain_i$267 [56:38];
+  assign \chain_i$267[3]  = \chain_i$267 [75:57];
+  assign \chain_o$268[0]  = \chain_i$267 [18:0];
+  assign \chain_o$268[1]  = \chain_i$267 [37:19];
+  assign \chain_o$268[2]  = \chain_i$267 [56:38];
+  assign \chain_o$268[3]  = \chain_i$267 [75:57];
+  assign \write$271.addr  = \$68 ;
+  assign \write$271.data  = \$70 [647:576];
+  assign \control$273.en  = control[0];
+  assign \control$273.first  = control[1];
+  assign \control$273.last  = control[2];
+  assign \control$273.edge  = control[3];
+  assign \control$273.tile  = control[7:4];
+  assign \chain_i$275[0]  = \chain_i$275 [18:0];
+  assign \chain_i$275[1]  = \chain_i$275 [37:19];
+  assign \chain_i$275[2]  = \chain_i$275 [56:38];
+  assign \chain_i$275[3]  = \chain_i$275 [75:57];
+  assign \chain_o$276[0]  = \chain_i$275 [18:0];
+  assign \chain_o$276[1]  = \chain_i$275 [37:19];
+  assign \chain_o$276[2]  = \chain_i$275 [56:38];
+  assign \chain_o$276[3]  = \chain_i$275 [75:57];
+  assign \write$279.addr  = \$68 ;
+  assign \write$279.data  = \$70 [647:576];
+  assign \control$281.en  = control[0];
+  assign \control$281.first  = control[1];
+  assign \control$281.last  = control[2];
+  assign \control$281.edge  = control[3];
+  assign \control$281.tile  = control[7:4];
+  assign \chain_i$283[0]  = \chain_i$283 [18:0];
+  assign \chain_i$283[1]  = \chain_i$283 [37:19];
+  assign \chain_i$283[2]  = \chain_i$283 [56:38];
+  assign \chain_i$283[3]  = \chain_i$283 [75:57];
+  assign \chain_o$284[0]  = \chain_i$283 [18:0];
+  assign \chain_o$284[1]  = \chain_i$283 [37:19];
+  assign \chain_o$284[2]  = \chain_i$283 [56:38];
+  assign \chain_o$284[3]  = \chain_i$283 [75:57];
+  assign \write$287.addr  = \$68 ;
+  assign \write$287.data  = \$70 [647:576];
+  assign \control$289.en  = control[0];
+  assign \control$289.first  = control[1];
+  assign \control$289.last  = control[2];
+  assign \control$289.edge  = control[3];
+  assign \control$289.tile  = control[7:4];
+  assign \chain_i$291[0]  = \chain_i$291 [18:0];
+  assign \chain_i$291[1]  = \chain_i$291 [37:19];
+  assign \chain_i$291[2]  = \chain_i$291 [56:38];
+  assign \chain_i$291[3]  = \chain_i$291 [75:57];
+  assign \chain_o$292[0]  = \chain_i$291 [18:0];
+  assign \chain_o$292[1]  = \chain_i$291 [37:19];
+  assign \chain_o$292[2]  = \chain_i$291 [56:38];
+  assign \chain_o$292[3]  = \chain_i$291 [75:57];
+  assign \write$295.addr  = \$68 ;
+  assign \write$295.data  = \$70 [647:576];
+  assign \control$297.en  = control[0];
+  assign \control$297.first  = control[1];
+  assign \control$297.last  = control[2];
+  assign \control$297.edge  = control[3];
+  assign \control$297.tile  = control[7:4];
+  assign \chain_i$299[0]  = \chain_i$299 [18:0];
+  assign \chain_i$299[1]  = \chain_i$299 [37:19];
+  assign \chain_i$299[2]  = \chain_i$299 [56:38];
+  assign \chain_i$299[3]  = \chain_i$299 [75:57];
+  assign \chain_o$300[0]  = \chain_i$299 [18:0];
+  assign \chain_o$300[1]  = \chain_i$299 [37:19];
+  assign \chain_o$300[2]  = \chain_i$299 [56:38];
+  assign \chain_o$300[3]  = \chain_i$299 [75:57];
+  assign \write$303.addr  = \$68 ;
+  assign \write$303.data  = \$70 [647:576];
+  assign \control$305.en  = control[0];
+  assign \control$305.first  = control[1];
+  assign \control$305.last  = control[2];
+  assign \control$305.edge  = control[3];
+  assign \control$305.tile  = control[7:4];
+  assign \chain_i$307[0]  = \chain_i$307 [18:0];
+  assign \chain_i$307[1]  = \chain_i$307 [37:19];
+  assign \chain_i$307[2]  = \chain_i$307 [56:38];
+  assign \chain_i$307[3]  = \chain_i$307 [75:57];
+  assign \chain_o$308[0]  = \chain_i$307 [18:0];
+  assign \chain_o$308[1]  = \chain_i$307 [37:19];
+  assign \chain_o$308[2]  = \chain_i$307 [56:38];
+  assign \chain_o$308[3]  = \chain_i$307 [75:57];
+  assign \write$311.addr  = \$68 ;
+  assign \write$311.data  = \$70 [647:576];
+  assign \control$313.en  = control[0];
+  assign \control$313.first  = control[1];
+  assign \control$313.last  = control[2];
+  assign \control$313.edge  = control[3];
+  assign \control$313.tile  = control[7:4];
+  assign \chain_i$315[0]  = \chain_i$315 [18:0];
+  assign \chain_i$315[1]  = \chain_i$315 [37:19];
+  assign \chain_i$315[2]  = \chain_i$315 [56:38];
+  assign \chain_i$315[3]  = \chain_i$315 [75:57];
+  assign \chain_o$316[0]  = \chain_i$315 [18:0];
+  assign \chain_o$316[1]  = \chain_i$315 [37:19];
+  assign \chain_o$316[2]  = \chain_i$315 [56:38];
+  assign \chain_o$316[3]  = \chain_i$315 [75:57];
+  assign \write$319.addr  = \$68 ;
+  assign \write$319.data  = \$70 [647:576];
+  assign \control$321.en  = control[0];
+  assign \control$321.first  = control[1];
+  assign \control$321.last  = control[2];
+  assign \control$321.edge  = control[3];
+  assign \control$321.tile  = control[7:4];
+  assign \chain_i$323[0]  = \chain_i$323 [18:0];
+  assign \chain_i$323[1]  = \chain_i$323 [37:19];
+  assign \chain_i$323[2]  = \chain_i$323 [56:38];
+  assign \chain_i$323[3]  = \chain_i$323 [75:57];
+  assign \chain_o$324[0]  = \chain_i$323 [18:0];
+  assign \chain_o$324[1]  = \chain_i$323 [37:19];
+  assign \chain_o$324[2]  = \chain_i$323 [56:38];
+  assign \chain_o$324[3]  = \chain_i$323 [75:57];
+  assign \write$327.addr  = \$68 ;
+  assign \write$327.data  = \$70 [647:576];
+  assign \control$329.en  = control[0];
+  assign \control$329.first  = control[1];
+  assign \control$329.last  = control[2];
+  assign \control$329.edge  = control[3];
+  assign \control$329.tile  = control[7:4];
+  assign \chain_i$331[0]  = \chain_i$331 [18:0];
+  assign \chain_i$331[1]  = \chain_i$331 [37:19];
+  assign \chain_i$331[2]  = \chain_i$331 [56:38];
+  assign \chain_i$331[3]  = \chain_i$331 [75:57];
+  assign \chain_o$332[0]  = \chain_i$331 [18:0];
+  assign \chain_o$332[1]  = \chain_i$331 [37:19];
+  assign \chain_o$332[2]  = \chain_i$331 [56:38];
+  assign \chain_o$332[3]  = \chain_i$331 [75:57];
+  assign \write$335.addr  = \$68 ;
+  assign \write$335.data  = \$70 [647:576];
+  assign \control$337.en  = control[0];
+  assign \control$337.first  = control[1];
+  assign \control$337.last  = control[2];
+  assign \control$337.edge  = control[3];
+  assign \control$337.tile  = control[7:4];
+  assign \chain_i$339[0]  = \chain_i$339 [18:0];
+  assign \chain_i$339[1]  = \chain_i$339 [37:19];
+  assign \chain_i$339[2]  = \chain_i$339 [56:38];
+  assign \chain_i$339[3]  = \chain_i$339 [75:57];
+  assign \chain_o$340[0]  = \chain_i$339 [18:0];
+  assign \chain_o$340[1]  = \chain_i$339 [37:19];
+  assign \chain_o$340[2]  = \chain_i$339 [56:38];
+  assign \chain_o$340[3]  = \chain_i$339 [75:57];
+  assign \write$343.addr  = \$68 ;
+  assign \write$343.data  = \$70 [647:576];
+  assign \control$345.en  = control[0];
+  assign \control$345.first  = control[1];
+  assign \control$345.last  = control[2];
+  assign \control$345.edge  = control[3];
+  assign \control$345.tile  = control[7:4];
+  assign \chain_i$347[0]  = \chain_i$347 [18:0];
+  assign \chain_i$347[1]  = \chain_i$347 [37:19];
+  assign \chain_i$347[2]  = \chain_i$347 [56:38];
+  assign \chain_i$347[3]  = \chain_i$347 [75:57];
+  assign \chain_o$348[0]  = \chain_i$347 [18:0];
+  assign \chain_o$348[1]  = \chain_i$347 [37:19];
+  assign \chain_o$348[2]  = \chain_i$347 [56:38];
+  assign \chain_o$348[3]  = \chain_i$347 [75:57];
+  assign \write$351.addr  = \$68 ;
+  assign \write$351.data  = \$70 [647:576];
+  assign \control$353.en  = control[0];
+  assign \control$353.first  = control[1];
+  assign \control$353.last  = control[2];
+  assign \control$353.edge  = control[3];
+  assign \control$353.tile  = control[7:4];
+  assign \chain_i$355[0]  = \chain_i$355 [18:0];
+  assign \chain_i$355[1]  = \chain_i$355 [37:19];
+  assign \chain_i$355[2]  = \chain_i$355 [56:38];
+  assign \chain_i$355[3]  = \chain_i$355 [75:57];
+  assign \chain_o$356[0]  = \chain_i$355 [18:0];
+  assign \chain_o$356[1]  = \chain_i$355 [37:19];
+  assign \chain_o$356[2]  = \chain_i$355 [56:38];
+  assign \chain_o$356[3]  = \chain_i$355 [75:57];
+  assign \write$359.addr  = \$68 ;
+  assign \write$359.data  = \$70 [647:576];
+  assign \control$361.en  = control[0];
+  assign \control$361.first  = control[1];
+  assign \control$361.last  = control[2];
+  assign \control$361.edge  = control[3];
+  assign \control$361.tile  = control[7:4];
+  assign \chain_i$363[0]  = \chain_i$363 [18:0];
+  assign \chain_i$363[1]  = \chain_i$363 [37:19];
+  assign \chain_i$363[2]  = \chain_i$363 [56:38];
+  assign \chain_i$363[3]  = \chain_i$363 [75:57];
+  assign \chain_o$364[0]  = \chain_i$363 [18:0];
+  assign \chain_o$364[1]  = \chain_i$363 [37:19];
+  assign \chain_o$364[2]  = \chain_i$363 [56:38];
+  assign \chain_o$364[3]  = \chain_i$363 [75:57];
+  assign \write$367.addr  = \$68 ;
+  assign \write$367.data  = \$70 [647:576];
+  assign \control$369.en  = control[0];
+  assign \control$369.first  = control[1];
+  assign \control$369.last  = control[2];
+  assign \control$369.edge  = control[3];
+  assign \control$369.tile  = control[7:4];
+  assign \chain_i$371[0]  = \chain_i$371 [18:0];
+  assign \chain_i$371[1]  = \chain_i$371 [37:19];
+  assign \chain_i$371[2]  = \chain_i$371 [56:38];
+  assign \chain_i$371[3]  = \chain_i$371 [75:57];
+  assign \chain_o$372[0]  = \chain_i$371 [18:0];
+  assign \chain_o$372[1]  = \chain_i$371 [37:19];
+  assign \chain_o$372[2]  = \chain_i$371 [56:38];
+  assign \chain_o$372[3]  = \chain_i$371 [75:57];
+  assign \write$375.addr  = \$68 ;
+  assign \write$375.data  = \$70 [647:576];
+  assign \control$377.en  = control[0];
+  assign \control$377.first  = control[1];
+  assign \control$377.last  = control[2];
+  assign \control$377.edge  = control[3];
+  assign \control$377.tile  = control[7:4];
+  assign \chain_i$379[0]  = \chain_i$379 [18:0];
+  assign \chain_i$379[1]  = \chain_i$379 [37:19];
+  assign \chain_i$379[2]  = \chain_i$379 [56:38];
+  assign \chain_i$379[3]  = \chain_i$379 [75:57];
+  assign \chain_o$380[0]  = \chain_i$379 [18:0];
+  assign \chain_o$380[1]  = \chain_i$379 [37:19];
+  assign \chain_o$380[2]  = \chain_i$379 [56:38];
+  assign \chain_o$380[3]  = \chain_i$379 [75:57];
+  assign \write$383.addr  = \$68 ;
+  assign \write$383.data  = \$70 [647:576];
+  assign \control$385.en  = control[0];
+  assign \control$385.first  = control[1];
+  assign \control$385.last  = control[2];
+  assign \control$385.edge  = control[3];
+  assign \control$385.tile  = control[7:4];
+  assign \chain_i$387[0]  = \chain_i$387 [18:0];
+  assign \chain_i$387[1]  = \chain_i$387 [37:19];
+  assign \chain_i$387[2]  = \chain_i$387 [56:38];
+  assign \chain_i$387[3]  = \chain_i$387 [75:57];
+  assign \chain_o$388[0]  = \chain_i$387 [18:0];
+  assign \chain_o$388[1]  = \chain_i$387 [37:19];
+  assign \chain_o$388[2]  = \chain_i$387 [56:38];
+  assign \chain_o$388[3]  = \chain_i$387 [75:57];
+  assign \write$391.addr  = \$68 ;
+  assign \write$391.data  = \$70 [647:576];
+  assign \control$393.en  = control[0];
+  assign \control$393.first  = control[1];
+  assign \control$393.last  = control[2];
+  assign \control$393.edge  = control[3];
+  assign \control$393.tile  = control[7:4];
+  assign \chain_i$395[0]  = \chain_i$395 [18:0];
+  assign \chain_i$395[1]  = \chain_i$395 [37:19];
+  assign \chain_i$395[2]  = \chain_i$395 [56:38];
+  assign \chain_i$395[3]  = \chain_i$395 [75:57];
+  assign \chain_o$396[0]  = \chain_i$395 [18:0];
+  assign \chain_o$396[1]  = \chain_i$395 [37:19];
+  assign \chain_o$396[2]  = \chain_i$395 [56:38];
+  assign \chain_o$396[3]  = \chain_i$395 [75:57];
+  assign \write$399.addr  = \$68 ;
+  assign \write$399.data  = \$70 [647:576];
+  assign \control$401.en  = control[0];
+  assign \control$401.first  = control[1];
+  assign \control$401.last  = control[2];
+  assign \control$401.edge  = control[3];
+  assign \control$401.tile  = control[7:4];
+  assign \chain_i$403[0]  = \chain_i$403 [18:0];
+  assign \chain_i$403[1]  = \chain_i$403 [37:19];
+  assign \chain_i$403[2]  = \chain_i$403 [56:38];
+  assign \chain_i$403[3]  = \chain_i$403 [75:57];
+  assign \chain_o$404[0]  = \chain_i$403 [18:0];
+  assign \chain_o$404[1]  = \chain_i$403 [37:19];
+  assign \chain_o$404[2]  = \chain_i$403 [56:38];
+  assign \chain_o$404[3]  = \chain_i$403 [75:57];
+  assign \write$407.addr  = \$68 ;
+  assign \write$407.data  = \$70 [647:576];
+  assign \control$409.en  = control[0];
+  assign \control$409.first  = control[1];
+  assign \control$409.last  = control[2];
+  assign \control$409.edge  = control[3];
+  assign \control$409.tile  = control[7:4];
+  assign \chain_i$411[0]  = \chain_i$411 [18:0];
+  assign \chain_i$411[1]  = \chain_i$411 [37:19];
+  assign \chain_i$411[2]  = \chain_i$411 [56:38];
+  assign \chain_i$411[3]  = \chain_i$411 [75:57];
+  assign \chain_o$412[0]  = \chain_i$411 [18:0];
+  assign \chain_o$412[1]  = \chain_i$411 [37:19];
+  assign \chain_o$412[2]  = \chain_i$411 [56:38];
+  assign \chain_o$412[3]  = \chain_i$411 [75:57];
+  assign \write$415.addr  = \$68 ;
+  assign \write$415.data  = \$70 [647:576];
+  assign \control$417.en  = control[0];
+  assign \control$417.first  = control[1];
+  assign \control$417.last  = control[2];
+  assign \control$417.edge  = control[3];
+  assign \control$417.tile  = control[7:4];
+  assign \chain_i$419[0]  = \chain_i$419 [18:0];
+  assign \chain_i$419[1]  = \chain_i$419 [37:19];
+  assign \chain_i$419[2]  = \chain_i$419 [56:38];
+  assign \chain_i$419[3]  = \chain_i$419 [75:57];
+  assign \chain_o$420[0]  = \chain_i$419 [18:0];
+  assign \chain_o$420[1]  = \chain_i$419 [37:19];
+  assign \chain_o$420[2]  = \chain_i$419 [56:38];
+  assign \chain_o$420[3]  = \chain_i$419 [75:57];
+  assign \write$423.addr  = \$68 ;
+  assign \write$423.data  = \$70 [647:576];
+  assign \control$425.en  = control[0];
+  assign \control$425.first  = control[1];
+  assign \control$425.last  = control[2];
+  assign \control$425.edge  = control[3];
+  assign \control$425.tile  = control[7:4];
+  assign \chain_i$427[0]  = \chain_i$427 [18:0];
+  assign \chain_i$427[1]  = \chain_i$427 [37:19];
+  assign \chain_i$427[2]  = \chain_i$427 [56:38];
+  assign \chain_i$427[3]  = \chain_i$427 [75:57];
+  assign \chain_o$428[0]  = \chain_i$427 [18:0];
+  assign \chain_o$428[1]  = \chain_i$427 [37:19];
+  assign \chain_o$428[2]  = \chain_i$427 [56:38];
+  assign \chain_o$428[3]  = \chain_i$427 [75:57];
+  assign \write$431.addr  = \$68 ;
+  assign \write$431.data  = \$70 [647:576];
+  assign \control$433.en  = control[0];
+  assign \control$433.first  = control[1];
+  assign \control$433.last  = control[2];
+  assign \control$433.edge  = control[3];
+  assign \control$433.tile  = control[7:4];
+  assign \chain_i$435[0]  = \chain_i$435 [18:0];
+  assign \chain_i$435[1]  = \chain_i$435 [37:19];
+  assign \chain_i$435[2]  = \chain_i$435 [56:38];
+  assign \chain_i$435[3]  = \chain_i$435 [75:57];
+  assign \chain_o$436[0]  = \chain_i$435 [18:0];
+  assign \chain_o$436[1]  = \chain_i$435 [37:19];
+  assign \chain_o$436[2]  = \chain_i$435 [56:38];
+  assign \chain_o$436[3]  = \chain_i$435 [75:57];
+  assign \write$439.addr  = \$68 ;
+  assign \write$439.data  = \$70 [647:576];
+  assign \control$441.en  = control[0];
+  assign \control$441.first  = control[1];
+  assign \control$441.last  = control[2];
+  assign \control$441.edge  = control[3];
+  assign \control$441.tile  = control[7:4];
+  assign \chain_i$443[0]  = \chain_i$443 [18:0];
+  assign \chain_i$443[1]  = \chain_i$443 [37:19];
+  assign \chain_i$443[2]  = \chain_i$443 [56:38];
+  assign \chain_i$443[3]  = \chain_i$443 [75:57];
+  assign \chain_o$444[0]  = \chain_i$443 [18:0];
+  assign \chain_o$444[1]  = \chain_i$443 [37:19];
+  assign \chain_o$444[2]  = \chain_i$443 [56:38];
+  assign \chain_o$444[3]  = \chain_i$443 [75:57];
+  assign \write$447.addr  = \$68 ;
+  assign \write$447.data  = \$70 [647:576];
+  assign \control$449.en  = control[0];
+  assign \control$449.first  = control[1];
+  assign \control$449.last  = control[2];
+  assign \control$449.edge  = control[3];
+  assign \control$449.tile  = control[7:4];
+  assign \chain_i$451[0]  = \chain_i$451 [18:0];
+  assign \chain_i$451[1]  = \chain_i$451 [37:19];
+  assign \chain_i$451[2]  = \chain_i$451 [56:38];
+  assign \chain_i$451[3]  = \chain_i$451 [75:57];
+  assign \chain_o$452[0]  = \chain_i$451 [18:0];
+  assign \chain_o$452[1]  = \chain_i$451 [37:19];
+  assign \chain_o$452[2]  = \chain_i$451 [56:38];
+  assign \chain_o$452[3]  = \chain_i$451 [75:57];
+  assign \write$455.addr  = \$68 ;
+  assign \write$455.data  = \$70 [647:576];
+  assign \control$457.en  = control[0];
+  assign \control$457.first  = control[1];
+  assign \control$457.last  = control[2];
+  assign \control$457.edge  = control[3];
+  assign \control$457.tile  = control[7:4];
+  assign \chain_i$459[0]  = \chain_i$459 [18:0];
+  assign \chain_i$459[1]  = \chain_i$459 [37:19];
+  assign \chain_i$459[2]  = \chain_i$459 [56:38];
+  assign \chain_i$459[3]  = \chain_i$459 [75:57];
+  assign \chain_o$460[0]  = \chain_i$459 [18:0];
+  assign \chain_o$460[1]  = \chain_i$459 [37:19];
+  assign \chain_o$460[2]  = \chain_i$459 [56:38];
+  assign \chain_o$460[3]  = \chain_i$459 [75:57];
+  assign \write$463.addr  = \$68 ;
+  assign \write$463.data  = \$70 [647:576];
+  assign \control$465.en  = control[0];
+  assign \control$465.first  = control[1];
+  assign \control$465.last  = control[2];
+  assign \control$465.edge  = control[3];
+  assign \control$465.tile  = control[7:4];
+  assign \chain_i$467[0]  = \chain_i$467 [18:0];
+  assign \chain_i$467[1]  = \chain_i$467 [37:19];
+  assign \chain_i$467[2]  = \chain_i$467 [56:38];
+  assign \chain_i$467[3]  = \chain_i$467 [75:57];
+  assign \chain_o$468[0]  = \chain_i$467 [18:0];
+  assign \chain_o$468[1]  = \chain_i$467 [37:19];
+  assign \chain_o$468[2]  = \chain_i$467 [56:38];
+  assign \chain_o$468[3]  = \chain_i$467 [75:57];
+  assign \write$471.addr  = \$68 ;
+  assign \write$471.data  = \$70 [647:576];
+  assign \control$473.en  = control[0];
+  assign \control$473.first  = control[1];
+  assign \control$473.last  = control[2];
+  assign \control$473.edge  = control[3];
+  assign \control$473.tile  = control[7:4];
+  assign \chain_i$475[0]  = \chain_i$475 [18:0];
+  assign \chain_i$475[1]  = \chain_i$475 [37:19];
+  assign \chain_i$475[2]  = \chain_i$475 [56:38];
+  assign \chain_i$475[3]  = \chain_i$475 [75:57];
+  assign \chain_o$476[0]  = \chain_i$475 [18:0];
+  assign \chain_o$476[1]  = \chain_i$475 [37:19];
+  assign \chain_o$476[2]  = \chain_i$475 [56:38];
+  assign \chain_o$476[3]  = \chain_i$475 [75:57];
+  assign \write$479.addr  = \$68 ;
+  assign \write$479.data  = \$70 [647:576];
+  assign \control$481.en  = control[0];
+  assign \control$481.first  = control[1];
+  assign \control$481.last  = control[2];
+  assign \control$481.edge  = control[3];
+  assign \control$481.tile  = control[7:4];
+  assign \chain_i$483[0]  = \chain_i$483 [18:0];
+  assign \chain_i$483[1]  = \chain_i$483 [37:19];
+  assign \chain_i$483[2]  = \chain_i$483 [56:38];
+  assign \chain_i$483[3]  = \chain_i$483 [75:57];
+  assign \chain_o$484[0]  = \chain_i$483 [18:0];
+  assign \chain_o$484[1]  = \chain_i$483 [37:19];
+  assign \chain_o$484[2]  = \chain_i$483 [56:38];
+  assign \chain_o$484[3]  = \chain_i$483 [75:57];
+  assign \write$487.addr  = \$68 ;
+  assign \write$487.data  = \$70 [647:576];
+  assign \control$489.en  = control[0];
+  assign \control$489.first  = control[1];
+  assign \control$489.last  = control[2];
+  assign \control$489.edge  = control[3];
+  assign \control$489.tile  = control[7:4];
+  assign \chain_i$491[0]  = \chain_i$491 [18:0];
+  assign \chain_i$491[1]  = \chain_i$491 [37:19];
+  assign \chain_i$491[2]  = \chain_i$491 [56:38];
+  assign \chain_i$491[3]  = \chain_i$491 [75:57];
+  assign \chain_o$492[0]  = \chain_i$491 [18:0];
+  assign \chain_o$492[1]  = \chain_i$491 [37:19];
+  assign \chain_o$492[2]  = \chain_i$491 [56:38];
+  assign \chain_o$492[3]  = \chain_i$491 [75:57];
+  assign \write$495.addr  = \$68 ;
+  assign \write$495.data  = \$70 [647:576];
+  assign \control$497.en  = control[0];
+  assign \control$497.first  = control[1];
+  assign \control$497.last  = control[2];
+  assign \control$497.edge  = control[3];
+  assign \control$497.tile  = control[7:4];
+  assign \chain_i$499[0]  = \chain_i$499 [18:0];
+  assign \chain_i$499[1]  = \chain_i$499 [37:19];
+  assign \chain_i$499[2]  = \chain_i$499 [56:38];
+  assign \chain_i$499[3]  = \chain_i$499 [75:57];
+  assign \chain_o$500[0]  = \chain_i$499 [18:0];
+  assign \chain_o$500[1]  = \chain_i$499 [37:19];
+  assign \chain_o$500[2]  = \chain_i$499 [56:38];
+  assign \chain_o$500[3]  = \chain_i$499 [75:57];
+  assign \write$503.addr  = \$68 ;
+  assign \write$503.data  = \$70 [647:576];
+  assign \control$505.en  = control[0];
+  assign \control$505.first  = control[1];
+  assign \control$505.last  = control[2];
+  assign \control$505.edge  = control[3];
+  assign \control$505.tile  = control[7:4];
+  assign \chain_i$507[0]  = \chain_i$507 [18:0];
+  assign \chain_i$507[1]  = \chain_i$507 [37:19];
+  assign \chain_i$507[2]  = \chain_i$507 [56:38];
+  assign \chain_i$507[3]  = \chain_i$507 [75:57];
+  assign \chain_o$508[0]  = \chain_i$507 [18:0];
+  assign \chain_o$508[1]  = \chain_i$507 [37:19];
+  assign \chain_o$508[2]  = \chain_i$507 [56:38];
+  assign \chain_o$508[3]  = \chain_i$507 [75:57];
+  assign \write$511.addr  = \$68 ;
+  assign \write$511.data  = \$70 [647:576];
+  assign \control$513.en  = control[0];
+  assign \control$513.first  = control[1];
+  assign \control$513.last  = control[2];
+  assign \control$513.edge  = control[3];
+  assign \control$513.tile  = control[7:4];
+  assign \chain_i$515[0]  = \chain_i$515 [18:0];
+  assign \chain_i$515[1]  = \chain_i$515 [37:19];
+  assign \chain_i$515[2]  = \chain_i$515 [56:38];
+  assign \chain_i$515[3]  = \chain_i$515 [75:57];
+  assign \chain_o$516[0]  = \chain_i$515 [18:0];
+  assign \chain_o$516[1]  = \chain_i$515 [37:19];
+  assign \chain_o$516[2]  = \chain_i$515 [56:38];
+  assign \chain_o$516[3]  = \chain_i$515 [75:57];
+  assign \write$519.addr  = \$68 ;
+  assign \write$519.data  = \$70 [647:576];
+  assign \control$521.en  = control[0];
+  assign \control$521.first  = control[1];
+  assign \control$521.last  = control[2];
+  assign \control$521.edge  = control[3];
+  assign \control$521.tile  = control[7:4];
+  assign \chain_i$523[0]  = \chain_i$523 [18:0];
+  assign \chain_i$523[1]  = \chain_i$523 [37:19];
+  assign \chain_i$523[2]  = \chain_i$523 [56:38];
+  assign \chain_i$523[3]  = \chain_i$523 [75:57];
+  assign \chain_o$524[0]  = \chain_i$523 [18:0];
+  assign \chain_o$524[1]  = \chain_i$523 [37:19];
+  assign \chain_o$524[2]  = \chain_i$523 [56:38];
+  assign \chain_o$524[3]  = \chain_i$523 [75:57];
+  assign \write$527.addr  = \$68 ;
+  assign \write$527.data  = \$70 [647:576];
+  assign \control$529.en  = control[0];
+  assign \control$529.first  = control[1];
+  assign \control$529.last  = control[2];
+  assign \control$529.edge  = control[3];
+  assign \control$529.tile  = control[7:4];
+  assign \chain_i$531[0]  = \chain_i$531 [18:0];
+  assign \chain_i$531[1]  = \chain_i$531 [37:19];
+  assign \chain_i$531[2]  = \chain_i$531 [56:38];
+  assign \chain_i$531[3]  = \chain_i$531 [75:57];
+  assign \chain_o$532[0]  = \chain_i$531 [18:0];
+  assign \chain_o$532[1]  = \chain_i$531 [37:19];
+  assign \chain_o$532[2]  = \chain_i$531 [56:38];
+  assign \chain_o$532[3]  = \chain_i$531 [75:57];
+  assign \write$535.addr  = \$68 ;
+  assign \write$535.data  = \$70 [647:576];
+  assign \control$537.en  = control[0];
+  assign \control$537.first  = control[1];
+  assign \control$537.last  = control[2];
+  assign \control$537.edge  = control[3];
+  assign \control$537.tile  = control[7:4];
+  assign \chain_i$539[0]  = \chain_i$539 [18:0];
+  assign \chain_i$539[1]  = \chain_i$539 [37:19];
+  assign \chain_i$539[2]  = \chain_i$539 [56:38];
+  assign \chain_i$539[3]  = \chain_i$539 [75:57];
+  assign \chain_o$540[0]  = \chain_i$539 [18:0];
+  assign \chain_o$540[1]  = \chain_i$539 [37:19];
+  assign \chain_o$540[2]  = \chain_i$539 [56:38];
+  assign \chain_o$540[3]  = \chain_i$539 [75:57];
+  assign \write$543.addr  = \$68 ;
+  assign \write$543.data  = \$70 [647:576];
+  assign \control$545.en  = control[0];
+  assign \control$545.first  = control[1];
+  assign \control$545.last  = control[2];
+  assign \control$545.edge  = control[3];
+  assign \control$545.tile  = control[7:4];
+  assign \chain_i$547[0]  = \chain_i$547 [18:0];
+  assign \chain_i$547[1]  = \chain_i$547 [37:19];
+  assign \chain_i$547[2]  = \chain_i$547 [56:38];
+  assign \chain_i$547[3]  = \chain_i$547 [75:57];
+  assign \chain_o$548[0]  = \chain_i$547 [18:0];
+  assign \chain_o$548[1]  = \chain_i$547 [37:19];
+  assign \chain_o$548[2]  = \chain_i$547 [56:38];
+  assign \chain_o$548[3]  = \chain_i$547 [75:57];
+  assign \write$551.addr  = \$68 ;
+  assign \write$551.data  = \$70 [647:576];
+  assign \control$553.en  = control[0];
+  assign \control$553.first  = control[1];
+  assign \control$553.last  = control[2];
+  assign \control$553.edge  = control[3];
+  assign \control$553.tile  = control[7:4];
+  assign \chain_i$555[0]  = \chain_i$555 [18:0];
+  assign \chain_i$555[1]  = \chain_i$555 [37:19];
+  assign \chain_i$555[2]  = \chain_i$555 [56:38];
+  assign \chain_i$555[3]  = \chain_i$555 [75:57];
+  assign \chain_o$556[0]  = \chain_i$555 [18:0];
+  assign \chain_o$556[1]  = \chain_i$555 [37:19];
+  assign \chain_o$556[2]  = \chain_i$555 [56:38];
+  assign \chain_o$556[3]  = \chain_i$555 [75:57];
+  assign \write$559.addr  = \$68 ;
+  assign \write$559.data  = \$70 [647:576];
+  assign \control$561.en  = control[0];
+  assign \control$561.first  = control[1];
+  assign \control$561.last  = control[2];
+  assign \control$561.edge  = control[3];
+  assign \control$561.tile  = control[7:4];
+  assign \chain_i$563[0]  = \chain_i$563 [18:0];
+  assign \chain_i$563[1]  = \chain_i$563 [37:19];
+  assign \chain_i$563[2]  = \chain_i$563 [56:38];
+  assign \chain_i$563[3]  = \chain_i$563 [75:57];
+  assign \chain_o$564[0]  = \chain_i$563 [18:0];
+  assign \chain_o$564[1]  = \chain_i$563 [37:19];
+  assign \chain_o$564[2]  = \chain_i$563 [56:38];
+  assign \chain_o$564[3]  = \chain_i$563 [75:57];
+  assign \write$567.addr  = \$68 ;
+  assign \write$567.data  = \$70 [647:576];
+  assign \control$569.en  = control[0];
+  assign \control$569.first  = control[1];
+  assign \control$569.last  = control[2];
+  assign \control$569.edge  = control[3];
+  assign \control$569.tile  = control[7:4];
+  assign \chain_i$571[0]  = \chain_i$571 [18:0];
+  assign \chain_i$571[1]  = \chain_i$571 [37:19];
+  assign \chain_i$571[2]  = \chain_i$571 [56:38];
+  assign \chain_i$571[3]  = \chain_i$571 [75:57];
+  assign \chain_o$572[0]  = \chain_i$571 [18:0];
+  assign \chain_o$572[1]  = \chain_i$571 [37:19];
+  assign \chain_o$572[2]  = \chain_i$571 [56:38];
+  assign \chain_o$572[3]  = \chain_i$571 [75:57];
+  assign \write$575.addr  = \$68 ;
+  assign \write$575.data  = \$70 [647:576];
+  assign \control$577.en  = control[0];
+  assign \control$577.first  = control[1];
+  assign \control$577.last  = control[2];
+  assign \control$577.edge  = control[3];
+  assign \control$577.tile  = control[7:4];
+  assign \chain_i$579[0]  = \chain_i$579 [18:0];
+  assign \chain_i$579[1]  = \chain_i$579 [37:19];
+  assign \chain_i$579[2]  = \chain_i$579 [56:38];
+  assign \chain_i$579[3]  = \chain_i$579 [75:57];
+  assign \chain_o$580[0]  = \chain_i$579 [18:0];
+  assign \chain_o$580[1]  = \chain_i$579 [37:19];
+  assign \chain_o$580[2]  = \chain_i$579 [56:38];
+  assign \chain_o$580[3]  = \chain_i$579 [75:57];
+  assign \write$583.addr  = \$68 ;
+  assign \write$583.data  = \$70 [647:576];
+  assign \control$585.en  = control[0];
+  assign \control$585.first  = control[1];
+  assign \control$585.last  = control[2];
+  assign \control$585.edge  = control[3];
+  assign \control$585.tile  = control[7:4];
+  assign \chain_i$587[0]  = \chain_i$587 [18:0];
+  assign \chain_i$587[1]  = \chain_i$587 [37:19];
+  assign \chain_i$587[2]  = \chain_i$587 [56:38];
+  assign \chain_i$587[3]  = \chain_i$587 [75:57];
+  assign \chain_o$588[0]  = \chain_i$587 [18:0];
+  assign \chain_o$588[1]  = \chain_i$587 [37:19];
+  assign \chain_o$588[2]  = \chain_i$587 [56:38];
+  assign \chain_o$588[3]  = \chain_i$587 [75:57];
+  assign \write$591.addr  = \$68 ;
+  assign \write$591.data  = \$70 [647:576];
+  assign \control$593.en  = control[0];
+  assign \control$593.first  = control[1];
+  assign \control$593.last  = control[2];
+  assign \control$593.edge  = control[3];
+  assign \control$593.tile  = control[7:4];
+  assign \chain_i$595[0]  = \chain_i$595 [18:0];
+  assign \chain_i$595[1]  = \chain_i$595 [37:19];
+  assign \chain_i$595[2]  = \chain_i$595 [56:38];
+  assign \chain_i$595[3]  = \chain_i$595 [75:57];
+  assign \chain_o$596[0]  = \chain_i$595 [18:0];
+  assign \chain_o$596[1]  = \chain_i$595 [37:19];
+  assign \chain_o$596[2]  = \chain_i$595 [56:38];
+  assign \chain_o$596[3]  = \chain_i$595 [75:57];
+  assign \write$599.addr  = \$68 ;
+  assign \write$599.data  = \$70 [647:576];
+  assign \control$601.en  = control[0];
+  assign \control$601.first  = control[1];
+  assign \control$601.last  = control[2];
+  assign \control$601.edge  = control[3];
+  assign \control$601.tile  = control[7:4];
+  assign \chain_i$603[0]  = \chain_i$603 [18:0];
+  assign \chain_i$603[1]  = \chain_i$603 [37:19];
+  assign \chain_i$603[2]  = \chain_i$603 [56:38];
+  assign \chain_i$603[3]  = \chain_i$603 [75:57];
+  assign \chain_o$604[0]  = \chain_i$603 [18:0];
+  assign \chain_o$604[1]  = \chain_i$603 [37:19];
+  assign \chain_o$604[2]  = \chain_i$603 [56:38];
+  assign \chain_o$604[3]  = \chain_i$603 [75:57];
+  assign \write$607.addr  = \$68 ;
+  assign \write$607.data  = \$70 [647:576];
+  assign \control$609.en  = control[0];
+  assign \control$609.first  = control[1];
+  assign \control$609.last  = control[2];
+  assign \control$609.edge  = control[3];
+  assign \control$609.tile  = control[7:4];
+  assign \write$613.addr  = \$68 ;
+  assign \write$613.data  = \$70 [647:576];
+  assign \control$615.en  = control[0];
+  assign \control$615.first  = control[1];
+  assign \control$615.last  = control[2];
+  assign \control$615.edge  = control[3];
+  assign \control$615.tile  = control[7:4];
+  assign \write$619.addr  = \$68 ;
+  assign \write$619.data  = \$70 [647:576];
+  assign \control$621.en  = control[0];
+  assign \control$621.first  = control[1];
+  assign \control$621.last  = control[2];
+  assign \control$621.edge  = control[3];
+  assign \control$621.tile  = control[7:4];
+  assign \write$625.addr  = \$68 ;
+  assign \write$625.data  = \$70 [647:576];
+  assign \control$627.en  = control[0];
+  assign \control$627.first  = control[1];
+  assign \control$627.last  = control[2];
+  assign \control$627.edge  = control[3];
+  assign \control$627.tile  = control[7:4];
   assign \control0.en  = control0[0];
   assign \control0.first  = control0[1];
   assign \control0.last  = control0[2];
@@ -5381,20 +5414,17 @@ module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__
   assign \info1.slots  = info1[8:5];
   assign \info1.edge  = info1[9];
   assign \info1.image_last  = info1[10];
-  assign \control2.en  = control2[0];
-  assign \control2.first  = control2[1];
-  assign \control2.last  = control2[2];
-  assign \control2.edge  = control2[3];
-  assign \control2.tile  = control2[7:4];
   assign \info2.tile  = info2[3:0];
   assign \info2.tile_last  = info2[4];
   assign \info2.slots  = info2[8:5];
   assign \info2.edge  = info2[9];
   assign \info2.image_last  = info2[10];
-  assign heads[303:228] = \chain_o$148 ;
-  assign heads[227:152] = \chain_o$139 ;
-  assign heads[151:76] = \chain_o$130 ;
+  assign heads[303:228] = \chain_o$154 ;
+  assign heads[227:152] = \chain_o$145 ;
+  assign heads[151:76] = \chain_o$136 ;
   assign heads[75:0] = chain_o;
+  assign \$2  = last_beat0;
+  assign \$4  = \$3 ;
 endmodule
 
 module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, mode, weight_base, requant_base, shape, error, weight_end, requant_end, clk);
@@ -5441,7 +5471,7 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   wire [32:0] \$45 ;
   wire [16:0] \$46 ;
   wire [32:0] \$47 ;
-  reg [166:0] \$48 ;
+  reg [199:0] \$48 ;
   reg [28:0] \$49 ;
   wire [32:0] \$5 ;
   reg \$50 ;
@@ -5487,10 +5517,11 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   reg [8:0] requant_end = 9'h000;
   input rst;
   wire rst;
-  output [166:0] shape;
-  reg [166:0] shape = 167'h000000000000000000000000000000000000000000;
+  output [199:0] shape;
+  reg [199:0] shape = 200'h00000000000000000000000000000000000000000000000000;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire [15:0] \shape.beats_residual ;
   wire \shape.biased ;
   wire [13:0] \shape.blocks ;
   wire [14:0] \shape.column_words ;
@@ -5499,8 +5530,10 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [15:0] \shape.out_height ;
+  wire [15:0] \shape.out_width ;
   wire [11:0] \shape.output_words ;
   wire \shape.pointwise ;
+  wire \shape.residual ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
@@ -5579,6 +5612,7 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
+    \$48 [199:167] = shape[199:167];
     \$48 [15:0] = height[15:0];
     \$48 [31:16] = width[15:0];
     \$48 [47:32] = \$9 [15:0];
@@ -5595,10 +5629,10 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
     \$48 [165] = mode[9];
     \$48 [166] = mode[24];
     if (soft_reset) begin
-      \$48  = 167'h000000000000000000000000000000000000000000;
+      \$48 [166:0] = 167'h000000000000000000000000000000000000000000;
     end
     if (rst) begin
-      \$48  = 167'h000000000000000000000000000000000000000000;
+      \$48  = 200'h00000000000000000000000000000000000000000000000000;
     end
   end
   always @* begin
@@ -5694,6 +5728,9 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   assign \shape.pointwise  = shape[164];
   assign \shape.halved  = shape[165];
   assign \shape.biased  = shape[166];
+  assign \shape.residual  = shape[167];
+  assign \shape.out_width  = shape[183:168];
+  assign \shape.beats_residual  = shape[199:184];
   assign \$2  = { 3'h0, \$1 [32:3] };
   assign \$4  = { 1'h0, \$3 [14:1] };
   assign \$6  = { 6'h00, \$5 [32:6] };
@@ -5933,10 +5970,11 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire rst;
   reg [1:0] section = 2'h0;
   wire section_done;
-  input [166:0] shape;
-  wire [166:0] shape;
+  input [199:0] shape;
+  wire [199:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire [15:0] \shape.beats_residual ;
   wire \shape.biased ;
   wire [13:0] \shape.blocks ;
   wire [14:0] \shape.column_words ;
@@ -5945,8 +5983,10 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [15:0] \shape.out_height ;
+  wire [15:0] \shape.out_width ;
   wire [11:0] \shape.output_words ;
   wire \shape.pointwise ;
+  wire \shape.residual ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
@@ -6733,6 +6773,9 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   assign \shape.pointwise  = shape[164];
   assign \shape.halved  = shape[165];
   assign \shape.biased  = shape[166];
+  assign \shape.residual  = shape[167];
+  assign \shape.out_width  = shape[183:168];
+  assign \shape.beats_residual  = shape[199:184];
   assign \o__payload.data  = o__payload[47:0];
   assign \o__payload.pixel_last  = o__payload[48];
   assign \o__payload.last  = o__payload[49];
@@ -7846,7 +7889,7 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   assign \$15  = { 64'h0000000000000000, buffer[111:64] };
 endmodule
 
-module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, shape, open, clk);
+module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1263$0 , beats, open, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$6  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -7866,9 +7909,11 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   wire \$signal ;
   wire \$signal$11 ;
   reg [15:0] \$signal$12  = 16'h0000;
-  wire \$signal$13 ;
+  wire \$signal$14 ;
   wire \$signal$8 ;
   reg [15:0] \$signal$9  = 16'h0000;
+  input [15:0] beats;
+  wire [15:0] beats;
   input clk;
   wire clk;
   (* enum_base_type = "Error" *)
@@ -7883,6 +7928,7 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   wire [2:0] error;
   output fault;
   wire fault;
+  wire [15:0] height;
   input [64:0] i__payload;
   wire [64:0] i__payload;
   wire [63:0] \i__payload.data ;
@@ -7898,42 +7944,28 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   wire o__valid;
   output open;
   reg open = 1'h0;
+  input [31:0] \port$1263$0 ;
+  wire [31:0] \port$1263$0 ;
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
-  input [166:0] shape;
-  wire [166:0] shape;
-  wire [15:0] \shape.beats_in ;
-  wire [15:0] \shape.beats_out ;
-  wire \shape.biased ;
-  wire [13:0] \shape.blocks ;
-  wire [14:0] \shape.column_words ;
-  wire [14:0] \shape.groups ;
-  wire \shape.halved ;
-  wire [15:0] \shape.height ;
-  wire [13:0] \shape.ingest_words ;
-  wire [15:0] \shape.out_height ;
-  wire [11:0] \shape.output_words ;
-  wire \shape.pointwise ;
-  wire [1:0] \shape.tail ;
-  wire [11:0] \shape.tiles ;
-  wire [15:0] \shape.width ;
   input soft_reset;
   wire soft_reset;
   input start;
   wire start;
+  wire [15:0] width;
   assign o__valid = i__valid & open;
   assign i__ready = o__ready & open;
   assign \$signal  = i__valid & i__ready;
   assign \$1  = \$signal$9  + 1'h1;
-  assign \$signal$8  = \$1  == shape[147:132];
+  assign \$signal$8  = \$1  == beats;
   assign \$2  = \$signal$12  + 1'h1;
-  assign \$3  = \$2  == shape[31:16];
+  assign \$3  = \$2  == \port$1263$0 [31:16];
   assign \$signal$11  = \$signal$8  & \$3 ;
   assign \$4  = row + 1'h1;
-  assign \$5  = \$4  == shape[15:0];
-  assign \$signal$13  = \$signal$11  & \$5 ;
-  assign \$6  = i__payload[64] != \$signal$13 ;
+  assign \$5  = \$4  == \port$1263$0 [15:0];
+  assign \$signal$14  = \$signal$11  & \$5 ;
+  assign \$6  = i__payload[64] != \$signal$14 ;
   assign fault = \$signal  & \$6 ;
   assign error = i__payload[64] ? 3'h3 : 3'h4;
   assign \$7  = \$signal$9  + 1'h1;
@@ -8005,7 +8037,7 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
     if (\$auto$verilog_backend.cc:2355:dump_module$6 ) begin end
     \$15  = open;
     if (\$signal ) begin
-      if (\$signal$13 ) begin
+      if (\$signal$14 ) begin
         \$15  = 1'h0;
       end
     end
@@ -8020,26 +8052,13 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
     end
   end
   assign o__payload = i__payload[63:0];
+  assign width = \port$1263$0 [31:16];
+  assign height = \port$1263$0 [15:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
-  assign \shape.height  = shape[15:0];
-  assign \shape.width  = shape[31:16];
-  assign \shape.out_height  = shape[47:32];
-  assign \shape.groups  = shape[62:48];
-  assign \shape.tail  = shape[64:63];
-  assign \shape.blocks  = shape[78:65];
-  assign \shape.ingest_words  = shape[92:79];
-  assign \shape.column_words  = shape[107:93];
-  assign \shape.tiles  = shape[119:108];
-  assign \shape.output_words  = shape[131:120];
-  assign \shape.beats_in  = shape[147:132];
-  assign \shape.beats_out  = shape[163:148];
-  assign \shape.pointwise  = shape[164];
-  assign \shape.halved  = shape[165];
-  assign \shape.biased  = shape[166];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1255$79 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1263$79 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -8090,8 +8109,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1255$79 ;
-  wire [13:0] \port$1255$79 ;
+  input [13:0] \port$1263$79 ;
+  wire [13:0] \port$1263$79 ;
   wire put;
   input rst;
   wire rst;
@@ -8104,7 +8123,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   assign o__valid = \$1  | \$2 ;
   assign \$signal$6  = o__valid & o__ready;
   assign \$3  = words_out + 1'h1;
-  assign \$4  = \$3  == \port$1255$79 ;
+  assign \$4  = \$3  == \port$1263$79 ;
   assign \$signal$8  = \$signal$6  & \$4 ;
   assign beats_after = \$signal$8  ? 16'h0000 : \$signal ;
   assign \$5  = level >= 6'h30;
@@ -8177,7 +8196,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
       \$26  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1255$79  };
+  assign words_per_pixel = { 2'h0, \port$1263$79  };
   assign \$like  = \$9 [6:0];
   assign o__payload = buffer[47:0];
   assign \$12  = { 48'h000000000000, buffer[111:48] };
@@ -8282,10 +8301,11 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
-  input [166:0] shape;
-  wire [166:0] shape;
+  input [199:0] shape;
+  wire [199:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire [15:0] \shape.beats_residual ;
   wire \shape.biased ;
   wire [13:0] \shape.blocks ;
   wire [14:0] \shape.column_words ;
@@ -8294,8 +8314,10 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [15:0] \shape.out_height ;
+  wire [15:0] \shape.out_width ;
   wire [11:0] \shape.output_words ;
   wire \shape.pointwise ;
+  wire \shape.residual ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
@@ -8587,13 +8609,16 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   assign \shape.pointwise  = shape[164];
   assign \shape.halved  = shape[165];
   assign \shape.biased  = shape[166];
+  assign \shape.residual  = shape[167];
+  assign \shape.out_width  = shape[183:168];
+  assign \shape.beats_residual  = shape[199:184];
   assign \read.slot  = read[1:0];
   assign \read.address  = read[9:2];
   assign \read.bank  = read[10];
   assign \read.mask  = read[14:11];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1507$0 , \port$1509$0 , \port$1511$0 , i__ready, to_requant, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1515$0 , \port$1517$0 , \port$1519$0 , i__ready, to_requant, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
@@ -8664,13 +8689,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 10'h000 *)
-  output [9:0] \port$1507$0 ;
-  wire [9:0] \port$1507$0 ;
+  output [9:0] \port$1515$0 ;
+  wire [9:0] \port$1515$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1509$0 ;
-  wire [7:0] \port$1509$0 ;
-  output [671:0] \port$1511$0 ;
-  wire [671:0] \port$1511$0 ;
+  output [7:0] \port$1517$0 ;
+  wire [7:0] \port$1517$0 ;
+  output [671:0] \port$1519$0 ;
+  wire [671:0] \port$1519$0 ;
   wire [679:0] requant;
   wire [7:0] \requant.addr ;
   wire [671:0] \requant.data ;
@@ -8871,9 +8896,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[647:576], \$27  };
   assign requant = { shifter[671:0], \$29  };
-  assign \port$1507$0  = \$27 ;
-  assign \port$1509$0  = \$29 ;
-  assign \port$1511$0  = shifter[671:0];
+  assign \port$1515$0  = \$27 ;
+  assign \port$1517$0  = \$29 ;
+  assign \port$1519$0  = shifter[671:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$27 ;
@@ -9051,10 +9076,11 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   wire row_exists;
   input rst;
   wire rst;
-  input [166:0] shape;
-  wire [166:0] shape;
+  input [199:0] shape;
+  wire [199:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire [15:0] \shape.beats_residual ;
   wire \shape.biased ;
   wire [13:0] \shape.blocks ;
   wire [14:0] \shape.column_words ;
@@ -9063,8 +9089,10 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
   wire [15:0] \shape.out_height ;
+  wire [15:0] \shape.out_width ;
   wire [11:0] \shape.output_words ;
   wire \shape.pointwise ;
+  wire \shape.residual ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
@@ -9596,6 +9624,9 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   assign \shape.pointwise  = shape[164];
   assign \shape.halved  = shape[165];
   assign \shape.biased  = shape[166];
+  assign \shape.residual  = shape[167];
+  assign \shape.out_width  = shape[183:168];
+  assign \shape.beats_residual  = shape[199:184];
   assign \step$45.read  = \step$45 [14:0];
   assign \step$45.read.slot  = \step$45 [1:0];
   assign \step$45.read.address  = \step$45 [9:2];
@@ -17623,7 +17654,7 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1214$0 , \port$1220$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
+, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1222$0 , \port$1228$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -17738,14 +17769,15 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   reg [31:0] param_base = 32'd0;
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
-  input \port$1214$0 ;
-  wire \port$1214$0 ;
-  input [2:0] \port$1220$0 ;
-  wire [2:0] \port$1220$0 ;
+  input \port$1222$0 ;
+  wire \port$1222$0 ;
+  input [2:0] \port$1228$0 ;
+  wire [2:0] \port$1228$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
   output [31:0] requant_base;
   reg [31:0] requant_base = 32'd0;
+  wire [31:0] residual;
   wire [31:0] row_words;
   input rst;
   wire rst;
@@ -18341,9 +18373,9 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h02:
             \$35  = 32'd0;
         5'h03:
-            \$35  = { 28'h0000000, loading, \port$2$0 , \port$1214$0 , busy };
+            \$35  = { 28'h0000000, loading, \port$2$0 , \port$1222$0 , busy };
         5'h04:
-            \$35  = { 29'h00000000, \port$1220$0  };
+            \$35  = { 29'h00000000, \port$1228$0  };
         5'h05:
             \$35  = height;
         5'h06:
@@ -18384,6 +18416,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
             \$35  = weight_base;
         5'h18:
             \$35  = requant_base;
+        5'h19:
+            \$35  = 32'd0;
       endcase
     end
     if (rst) begin
@@ -18448,6 +18482,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
             /* empty */;
         5'h18:
             /* empty */;
+        5'h19:
+            /* empty */;
         default:
             \$36  = 2'h2;
       endcase
@@ -18456,11 +18492,12 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       \$36  = 2'h0;
     end
   end
-  assign status = { 28'h0000000, loading, \port$2$0 , \port$1214$0 , busy };
-  assign error = { 29'h00000000, \port$1220$0  };
+  assign status = { 28'h0000000, loading, \port$2$0 , \port$1222$0 , busy };
+  assign error = { 29'h00000000, \port$1228$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
   assign weight_depth = 32'd1024;
   assign row_words = 32'd512;
   assign max_channels = 32'd67109888;
+  assign residual = 32'd0;
 endmodule

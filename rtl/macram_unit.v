@@ -2,32 +2,38 @@
 module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weight);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
-  reg [8:0] \$10 ;
-  reg [8:0] \$11 ;
-  reg [9:0] \$12 ;
-  reg [8:0] \$13 ;
-  reg [9:0] \$14 ;
-  reg [8:0] \$15 ;
-  reg [9:0] \$16 ;
+  wire [18:0] \$10 ;
+  wire [18:0] \$11 ;
+  wire \$12 ;
+  wire \$13 ;
+  reg [7:0] \$14 ;
+  reg [7:0] \$15 ;
+  reg [8:0] \$16 ;
   reg [8:0] \$17 ;
   reg [9:0] \$18 ;
-  reg [7:0] \$19 ;
-  wire [18:0] \$2 ;
-  reg [8:0] \$20 ;
-  reg [18:0] \$21 ;
-  reg [18:0] \$22 ;
-  reg [18:0] \$23 ;
-  reg [18:0] \$24 ;
-  reg [18:0] \$25 ;
-  reg [18:0] \$26 ;
-  reg [75:0] \$27 ;
-  wire [18:0] \$3 ;
-  wire [18:0] \$4 ;
-  wire [18:0] \$5 ;
+  reg [8:0] \$19 ;
+  wire \$2 ;
+  reg [9:0] \$20 ;
+  reg [8:0] \$21 ;
+  reg [9:0] \$22 ;
+  reg [8:0] \$23 ;
+  reg [9:0] \$24 ;
+  reg [7:0] \$25 ;
+  reg [8:0] \$26 ;
+  reg [18:0] \$27 ;
+  reg [18:0] \$28 ;
+  reg [18:0] \$29 ;
+  wire \$3 ;
+  reg [18:0] \$30 ;
+  reg [18:0] \$31 ;
+  reg [18:0] \$32 ;
+  reg [75:0] \$33 ;
+  wire \$4 ;
+  wire \$5 ;
   wire \$6 ;
   wire \$7 ;
-  reg [7:0] \$8 ;
-  reg [7:0] \$9 ;
+  wire [18:0] \$8 ;
+  wire [18:0] \$9 ;
   reg [7:0] \$signal  = 8'h00;
   wire \$signal.edge ;
   wire \$signal.en ;
@@ -314,12 +320,12 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire [9:0] \total$29 ;
   wire [7:0] \total$31 ;
   wire [8:0] \total$33 ;
-  wire [18:0] \total$36 ;
-  wire [18:0] \total$38 ;
-  wire [18:0] \total$40 ;
-  wire [18:0] \total$42 ;
-  wire [18:0] \total$44 ;
-  wire [18:0] \total$46 ;
+  wire [18:0] \total$35 ;
+  wire [18:0] \total$37 ;
+  wire [18:0] \total$39 ;
+  wire [18:0] \total$41 ;
+  wire [18:0] \total$43 ;
+  wire [18:0] \total$45 ;
   wire [7:0] \total$81 ;
   wire [8:0] \total$91 ;
   input [71:0] weight;
@@ -331,58 +337,64 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire [18:0] \write__data$161 ;
   wire write__en;
   wire \write__en$147 ;
-  assign \$1  = done | shift;
-  assign \$2  = done ? \total$36  : chain_i[18:0];
-  assign \$3  = done ? \total$38  : chain_i[37:19];
-  assign \$4  = done ? \total$40  : chain_i[56:38];
-  assign \$5  = done ? \total$42  : chain_i[75:57];
+  assign \$1  = control[0] & control[1];
+  assign \$2  = control[0] & control[1];
+  assign \$3  = control[0] & control[1];
+  assign \$4  = control[0] & control[1];
+  assign \$5  = control[0] & control[1];
+  assign \$6  = control[0] & control[1];
+  assign \$7  = done | shift;
+  assign \$8  = done ? \total$35  : chain_i[18:0];
+  assign \$9  = done ? \total$37  : chain_i[37:19];
+  assign \$10  = done ? \total$39  : chain_i[56:38];
+  assign \$11  = done ? \total$41  : chain_i[75:57];
   assign done = \$signal [0] & \$signal [2];
   assign \$signature__addr  = \$signal [1] ? { 1'h0, \$signal [7:4] } : 5'h10;
-  assign \$6  = ~ \$signal [3];
-  assign \$7  = \$signal [1] & \$6 ;
-  assign \$signature__addr$143  = \$7  ? { 1'h0, \$signal [7:4] } : 5'h10;
+  assign \$12  = ~ \$signal [3];
+  assign \$13  = \$signal [1] & \$12 ;
+  assign \$signature__addr$143  = \$13  ? { 1'h0, \$signal [7:4] } : 5'h10;
   always @(posedge clk)
     \weight$8  <= weight;
   always @(posedge clk)
-    \$signal  <= \$8 ;
+    \$signal  <= \$14 ;
   always @(posedge clk)
-    sum0_0 <= \$9 ;
+    sum0_0 <= \$15 ;
   always @(posedge clk)
-    sum0_1 <= \$10 ;
+    sum0_1 <= \$16 ;
   always @(posedge clk)
-    sum1_0 <= \$11 ;
+    sum1_0 <= \$17 ;
   always @(posedge clk)
-    sum1_1 <= \$12 ;
+    sum1_1 <= \$18 ;
   always @(posedge clk)
-    sum2_0 <= \$13 ;
+    sum2_0 <= \$19 ;
   always @(posedge clk)
-    sum2_1 <= \$14 ;
+    sum2_1 <= \$20 ;
   always @(posedge clk)
-    sum3_0 <= \$15 ;
+    sum3_0 <= \$21 ;
   always @(posedge clk)
-    sum3_1 <= \$16 ;
+    sum3_1 <= \$22 ;
   always @(posedge clk)
-    sum4_0 <= \$17 ;
+    sum4_0 <= \$23 ;
   always @(posedge clk)
-    sum4_1 <= \$18 ;
+    sum4_1 <= \$24 ;
   always @(posedge clk)
-    sum5_0 <= \$19 ;
+    sum5_0 <= \$25 ;
   always @(posedge clk)
-    sum5_1 <= \$20 ;
+    sum5_1 <= \$26 ;
   always @(posedge clk)
-    acc0 <= \$21 ;
+    acc0 <= \$27 ;
   always @(posedge clk)
-    acc1 <= \$22 ;
+    acc1 <= \$28 ;
   always @(posedge clk)
-    acc2 <= \$23 ;
+    acc2 <= \$29 ;
   always @(posedge clk)
-    acc3 <= \$24 ;
+    acc3 <= \$30 ;
   always @(posedge clk)
-    acc4 <= \$25 ;
+    acc4 <= \$31 ;
   always @(posedge clk)
-    acc5 <= \$26 ;
+    acc5 <= \$32 ;
   always @(posedge clk)
-    chain_o <= \$27 ;
+    chain_o <= \$33 ;
   macram_add3 #(
     .WIDTH(32'd19),
     .XILINX(32'd0)
@@ -392,7 +404,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .c({ sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1 }),
     .ci(1'h0),
     .d(d),
-    .sum(\total$36 ),
+    .sum(\total$35 ),
     .x(1'h0)
   );
   macram_add3 #(
@@ -404,7 +416,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .c({ sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1 }),
     .ci(1'h0),
     .d(\d$144 ),
-    .sum(\total$38 ),
+    .sum(\total$37 ),
     .x(1'h0)
   );
   macram_add3 #(
@@ -416,7 +428,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .c({ sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1[9], sum2_1 }),
     .ci(1'h0),
     .d(19'h00000),
-    .sum(\total$40 ),
+    .sum(\total$39 ),
     .x(1'h0)
   );
   macram_add3 #(
@@ -428,7 +440,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .c({ sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1[9], sum3_1 }),
     .ci(1'h0),
     .d(19'h00000),
-    .sum(\total$42 ),
+    .sum(\total$41 ),
     .x(1'h0)
   );
   macram_add3 #(
@@ -440,7 +452,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .c({ sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1[9], sum4_1 }),
     .ci(1'h0),
     .d(19'h00000),
-    .sum(\total$44 ),
+    .sum(\total$43 ),
     .x(1'h0)
   );
   macram_add3 #(
@@ -452,7 +464,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .c({ sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1 }),
     .ci(1'h0),
     .d(19'h00000),
-    .sum(\total$46 ),
+    .sum(\total$45 ),
     .x(1'h0)
   );
   macram_lutram #(
@@ -466,7 +478,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .read_addr(\$signature__addr ),
     .read_data(d),
     .write_addr({ 1'h0, \$signal [7:4] }),
-    .write_data(\total$44 ),
+    .write_data(\total$43 ),
     .write_en(done)
   );
   macram_lutram #(
@@ -480,7 +492,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .read_addr(\$signature__addr$143 ),
     .read_data(\d$144 ),
     .write_addr({ 1'h0, \$signal [7:4] }),
-    .write_data(\total$46 ),
+    .write_data(\total$45 ),
     .write_en(done)
   );
   \macram_unit.engine0  engine0 (
@@ -781,181 +793,181 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   );
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$8  = control;
+    \$14  = control;
     if (rst) begin
-      \$8  = 8'h00;
+      \$14  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$9  = total;
+    \$15  = total;
     if (control[3]) begin
-      \$9  = 8'h00;
+      \$15  = 8'h00;
     end
     if (rst) begin
-      \$9  = 8'h00;
+      \$15  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$10  = \total$13 ;
+    \$16  = \total$13 ;
     if (control[3]) begin
-      \$10  = 9'h000;
+      \$16  = 9'h000;
     end
     if (rst) begin
-      \$10  = 9'h000;
+      \$16  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$11  = \total$15 ;
-    if (rst) begin
-      \$11  = 9'h000;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$12  = \total$17 ;
-    if (rst) begin
-      \$12  = 10'h000;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$13  = \total$19 ;
-    if (rst) begin
-      \$13  = 9'h000;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$14  = \total$21 ;
-    if (rst) begin
-      \$14  = 10'h000;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$15  = \total$23 ;
-    if (rst) begin
-      \$15  = 9'h000;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$16  = \total$25 ;
-    if (rst) begin
-      \$16  = 10'h000;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$17  = \total$27 ;
+    \$17  = \total$15 ;
     if (rst) begin
       \$17  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$18  = \total$29 ;
+    \$18  = \total$17 ;
     if (rst) begin
       \$18  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$19  = \total$31 ;
+    \$19  = \total$19 ;
     if (rst) begin
-      \$19  = 8'h00;
+      \$19  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$20  = \total$33 ;
+    \$20  = \total$21 ;
     if (rst) begin
-      \$20  = 9'h000;
+      \$20  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$21  = acc0;
-    if (done) begin
-      \$21  = 19'h00000;
-    end else if (\$signal [0]) begin
-      \$21  = \total$36 ;
-    end
+    \$21  = \total$23 ;
     if (rst) begin
-      \$21  = 19'h00000;
+      \$21  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$22  = acc1;
-    if (done) begin
-      \$22  = 19'h00000;
-    end else if (\$signal [0]) begin
-      \$22  = \total$38 ;
-    end
+    \$22  = \total$25 ;
     if (rst) begin
-      \$22  = 19'h00000;
+      \$22  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$23  = acc2;
-    if (done) begin
-      \$23  = 19'h00000;
-    end else if (\$signal [0]) begin
-      \$23  = \total$40 ;
-    end
+    \$23  = \total$27 ;
     if (rst) begin
-      \$23  = 19'h00000;
+      \$23  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$24  = acc3;
-    if (done) begin
-      \$24  = 19'h00000;
-    end else if (\$signal [0]) begin
-      \$24  = \total$42 ;
-    end
+    \$24  = \total$29 ;
     if (rst) begin
-      \$24  = 19'h00000;
+      \$24  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$25  = acc4;
-    if (done) begin
-      \$25  = 19'h00000;
-    end else if (\$signal [0]) begin
-      \$25  = \total$44 ;
-    end
+    \$25  = \total$31 ;
     if (rst) begin
-      \$25  = 19'h00000;
+      \$25  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$26  = acc5;
-    if (done) begin
-      \$26  = 19'h00000;
-    end else if (\$signal [0]) begin
-      \$26  = \total$46 ;
-    end
+    \$26  = \total$33 ;
     if (rst) begin
-      \$26  = 19'h00000;
+      \$26  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$27  = chain_o;
+    \$27  = acc0;
     if (\$1 ) begin
-      \$27 [18:0] = \$2 ;
-      \$27 [37:19] = \$3 ;
-      \$27 [56:38] = \$4 ;
-      \$27 [75:57] = \$5 ;
+      \$27  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$27  = \total$35 ;
+    end
+    if (rst) begin
+      \$27  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$28  = acc1;
+    if (\$2 ) begin
+      \$28  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$28  = \total$37 ;
+    end
+    if (rst) begin
+      \$28  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$29  = acc2;
+    if (\$3 ) begin
+      \$29  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$29  = \total$39 ;
+    end
+    if (rst) begin
+      \$29  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$30  = acc3;
+    if (\$4 ) begin
+      \$30  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$30  = \total$41 ;
+    end
+    if (rst) begin
+      \$30  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$31  = acc4;
+    if (\$5 ) begin
+      \$31  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$31  = \total$43 ;
+    end
+    if (rst) begin
+      \$31  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$32  = acc5;
+    if (\$6 ) begin
+      \$32  = 19'h00000;
+    end else if (\$signal [0]) begin
+      \$32  = \total$45 ;
+    end
+    if (rst) begin
+      \$32  = 19'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$33  = chain_o;
+    if (\$7 ) begin
+      \$33 [18:0] = \$8 ;
+      \$33 [37:19] = \$9 ;
+      \$33 [56:38] = \$10 ;
+      \$33 [75:57] = \$11 ;
     end
   end
   assign result = chain_o;
@@ -1053,8 +1065,8 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   assign \a$157  = acc5;
   assign \b$158  = { sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0[7], sum5_0 };
   assign \c$159  = { sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1[8], sum5_1 };
-  assign write__data = \total$44 ;
-  assign \write__data$161  = \total$46 ;
+  assign write__data = \total$43 ;
+  assign \write__data$161  = \total$45 ;
   assign \control.en  = control[0];
   assign \control.first  = control[1];
   assign \control.last  = control[2];
