@@ -9,7 +9,20 @@ from macram.spec.registers import ADDRESS_BITS
 from macram_hw.array import COUNTERS, Array
 from macram_hw.axi_lite import AxiLite, AxiLiteRegisters
 
-__all__ = ["Top"]
+__all__ = ["Top", "top_signature"]
+
+
+def top_signature(config: ArrayConfig) -> wiring.Signature:
+    """Ports of `Top`."""
+    width = config.stream_bits
+    return wiring.Signature({
+        "aclk": In(1),
+        "aresetn": In(1),
+        **{f"s_axi_{name}": member for name, member in AxiLite(ADDRESS_BITS).flip().members.items()},
+        **_stream_members("s_axis", In, width),
+        **_stream_members("s_axis_param", In, width),
+        **_stream_members("m_axis", Out, width),
+    })  # fmt: skip
 
 
 class Top(wiring.Component):
@@ -26,16 +39,8 @@ class Top(wiring.Component):
 
     def __init__(self, config: ArrayConfig):
         self._config = config
-        width = config.stream_bits
         self._registers = AxiLite(ADDRESS_BITS).flip().members
-        super().__init__({
-            "aclk": In(1),
-            "aresetn": In(1),
-            **{f"s_axi_{name}": member for name, member in self._registers.items()},
-            **_stream_members("s_axis", In, width),
-            **_stream_members("s_axis_param", In, width),
-            **_stream_members("m_axis", Out, width),
-        })  # fmt: skip
+        super().__init__(top_signature(config))
 
     def elaborate(self, platform):
         config = self._config
