@@ -37,6 +37,7 @@ LAYERS = (
     {"macram.train"},
     {"macram.layer_job"},
     {"macram.cpu_latency"},
+    {"macram.synth"},
     {"macram.demo", "macram.bench"},
     {"macram.cli"},
 )

