@@ -39,9 +39,9 @@ module gate_equals_rtl #(
     reg [511:0] noise;
     reg [31:0] word, step;
     integer i;
-    reg [CHAIN-1:0] before;
+    reg [CHAIN-1:0] previous;
     initial begin
-        compared = 0; wrong = 0; changes = 0; step = 0; state = 1; before = 0;
+        compared = 0; wrong = 0; changes = 0; step = 0; state = 1; previous = 0;
         weight = 0; activations = 0; control = 0; chain_i = 0; shift = 0; rst = 1; noise = 0; word = 0;
     end
     always @(negedge clk) begin
@@ -49,8 +49,8 @@ module gate_equals_rtl #(
         else begin
             compared <= compared + 1;
             if (rtl !== gate) wrong <= wrong + 1;
-            if (rtl !== before) changes <= changes + 1;
-            before = rtl;
+            if (rtl !== previous) changes <= changes + 1;
+            previous = rtl;
         end
         for (i = 0; i < 16; i = i + 1) begin
             draw(word);

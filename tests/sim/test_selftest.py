@@ -41,7 +41,11 @@ def verdict(tmp_path, plan, packed, wanted, *, flip=False, patience=1):
         "bench_selftest",
         tmp_path / "run",
         seed=1,
-        env={"SELFTEST_CYCLES": str(plan.cycles), "SELFTEST_VERDICT": wanted, "SELFTEST_PATIENCE": str(patience)},
+        env={
+            "SELFTEST_CYCLES": str(plan.cycles),
+            "SELFTEST_VERDICT": wanted,
+            "SELFTEST_PATIENCE": str(patience),
+        },
         files=sorted((tmp_path / "mem").glob("*.mem")),
     )
 

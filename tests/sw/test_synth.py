@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 
 from macram.cli import main
+from macram.spec import ArrayConfig
+from macram.spec.selftest import scrambled_beats
 from macram.synth import board, cost, devices, tools
 from macram.synth.bitstream import array_clock
 from macram.synth.plan import make_plan
 from macram.synth.sources import plain_names, spoken_name
 from macram.synth.stat import instances, read_stat, short_name
-from macram.spec import ArrayConfig
-from macram.spec.selftest import scrambled_beats
 
 ROOT = Path(__file__).parents[2]
 TINY = ROOT / "configs" / "tiny.toml"
@@ -140,9 +140,15 @@ def test_a_tool_that_takes_too_long_is_stopped(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["synth", str(TINY), "--device", "abacus"], "--device must be one of xczu3eg, ecp5-85k, not 'abacus'"),
+        (
+            ["synth", str(TINY), "--device", "abacus"],
+            "--device must be one of xczu3eg, ecp5-85k, not 'abacus'",
+        ),
         (["synth", str(TINY), "--timeout", "0"], "--timeout must be more than 0 seconds, not 0"),
-        (["bitstream", str(TINY), "--mhz", "101"], "the clock must be a multiple of 4 MHz up to 320, not 101 MHz"),
+        (
+            ["bitstream", str(TINY), "--mhz", "101"],
+            "the clock must be a multiple of 4 MHz up to 320, not 101 MHz",
+        ),
         (["bitstream", str(TINY), "--mhz", "4"], "the PLL's oscillator runs at 400 to 800 MHz"),
         (["bitstream", str(TINY), "--seed", "-1"], "--seed must be 0 or more, not -1"),
     ],
@@ -199,7 +205,10 @@ def test_the_generator_s_words():
 def test_a_plan_depends_on_its_seed_alone():
     array = ArrayConfig.from_toml(TINY)
     first, packed = make_plan(array, 5)
-    assert (first, packed.weights.tobytes()) == (make_plan(array, 5)[0], make_plan(array, 5)[1].weights.tobytes())
+    assert (first, packed.weights.tobytes()) == (
+        make_plan(array, 5)[0],
+        make_plan(array, 5)[1].weights.tobytes(),
+    )
     assert first.crc != make_plan(array, 6)[0].crc
     assert first.writes[-1] == (8, 1), "the last write starts the array"
 

@@ -159,10 +159,16 @@ def _lines(parser: argparse.ArgumentParser, epilog: str) -> None:
 
 
 def _out(parser: argparse.ArgumentParser, folder: str) -> None:
-    parser.add_argument("-o", "--out", type=Path, default=Path(folder), metavar="DIR", help=f"default: {folder}")
+    parser.add_argument(
+        "-o", "--out", type=Path, default=Path(folder), metavar="DIR", help=f"default: {folder}"
+    )
 
 
 def _timeout(parser: argparse.ArgumentParser, seconds: int) -> None:
     parser.add_argument(
-        "--timeout", type=float, default=seconds, metavar="S", help=f"seconds for each tool (default: {seconds})"
+        "--timeout",
+        type=float,
+        default=seconds,
+        metavar="S",
+        help=f"seconds for each tool (default: {seconds})",
     )

@@ -5,6 +5,8 @@ from __future__ import annotations
 import hashlib
 import json
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -13,12 +15,14 @@ from macram.report.versions import machine, versions
 from macram.spec import ArrayConfig
 from macram.spec.selftest import SelfTestPlan
 from macram.synth import board
-from macram.synth.cost import UNIT
+from macram.synth.cost import JOIN, UNIT, unit_script
+from macram.synth.devices import DEVICES
 from macram.synth.plan import make_plan
 from macram.synth.sources import export_sources, plain_names
 from macram.synth.tools import run_tool, run_yosys, tool_versions
 
 TOP = "macram_ecp5_evn"
+ECP5 = DEVICES["ecp5-85k"]
 FORMAT = 1
 
 
@@ -47,29 +51,27 @@ def build_bitstream(
     folder.mkdir(parents=True, exist_ok=True)
     seconds: dict[str, float] = {}
 
-    def timed(name: str, step: Any) -> None:
+    @contextmanager
+    def timed(name: str) -> Iterator[None]:
         start = time.perf_counter()
         with stage(name):
-            step()
+            yield
         seconds[name] = round(time.perf_counter() - start, 1)
 
-    plan, sources = None, []
-
-    def sources_and_plan() -> None:
-        nonlocal plan, sources
+    with timed("self-test layer and Verilog"):
         plan, sources = _write_sources(config, folder, seed)
-
-    timed("self-test layer and Verilog", sources_and_plan)
-    assert plan is not None
-    timed("synthesis", lambda: run_yosys(_script(sources, dividers), folder, name="synth", timeout=timeout))
-    (folder / "board.lpf").write_text(board.constraints())
-    route = [
-        *board.NEXTPNR, "--json", "netlist.json", "--lpf", "board.lpf", "--textcfg", "macram.config",
-        "--report", "route.json", "--seed", str(seed), "--timing-allow-fail",
-    ]  # fmt: skip
-    timed("place and route", lambda: run_tool("nextpnr-ecp5", route, folder, log="route.log", timeout=timeout))
-    pack = ["--compress", "macram.config", "macram.bit"]
-    timed("bitstream", lambda: run_tool("ecppack", pack, folder, log="pack.log", timeout=timeout))
+        (folder / "board.lpf").write_text(board.constraints())
+    with timed("synthesis"):
+        run_yosys(_script(sources, dividers), folder, name="synth", timeout=timeout)
+    with timed("place and route"):
+        route = [
+            *board.NEXTPNR, "--json", "netlist.json", "--lpf", "board.lpf", "--textcfg", "macram.config",
+            "--report", "route.json", "--seed", str(seed), "--timing-allow-fail",
+        ]  # fmt: skip
+        run_tool("nextpnr-ecp5", route, folder, log="route.log", timeout=timeout)
+    with timed("bitstream"):
+        pack = ["--compress", "macram.config", "macram.bit"]
+        run_tool("ecppack", pack, folder, log="pack.log", timeout=timeout)
 
     routed = json.loads((folder / "route.json").read_text())
     fmax = array_clock(routed["fmax"])
@@ -122,14 +124,16 @@ def _write_sources(config: ArrayConfig, folder: Path, seed: int) -> tuple[SelfTe
 
 
 def _script(sources: list[str], dividers: dict[str, int]) -> str:
-    """Yosys commands: the unit is mapped once and copied, everything else as one module."""
+    """Yosys commands: the unit is mapped once, its engines in LUTs; the rest beside it may use multipliers."""
     parameters = "".join(f" -set {name} {value}" for name, value in dividers.items())
+    read = f"read_verilog {' '.join(sources)}\n"
     return (
-        f"read_verilog {' '.join(sources)}\n"
+        f"{unit_script(read, ECP5)}"
+        f"{read}"
         f"chparam{parameters} {TOP}\n"
-        f"setattr -mod -set keep_hierarchy 1 {UNIT}\n"
-        f"synth_ecp5 -nodsp -top {TOP}\n"
-        f"setattr -mod -unset keep_hierarchy {UNIT}\n"
+        f"blackbox {UNIT}\n"
+        f"{ECP5.synth} -top {TOP}\n"
+        f"{JOIN}"
         "flatten -noscopeinfo\n"
         "opt_clean -purge\n"
         "tee -q -o stat.json stat -json\n"
@@ -143,9 +147,9 @@ def array_clock(fmax: dict[str, dict[str, float]]) -> float:
     Raises:
         ValueError: there is no such net.
     """
-    reached = [
-        row["achieved"] for row in fmax.values() if row["constraint"] > board.OSCILLATOR_MHZ + 0.5
-    ]
+    reached = [row["achieved"] for row in fmax.values() if row["constraint"] > board.OSCILLATOR_MHZ + 0.5]
     if not reached:
-        raise ValueError(f"nextpnr reports no clock above {board.OSCILLATOR_MHZ} MHz, only {', '.join(fmax) or 'none'}")
+        raise ValueError(
+            f"nextpnr reports no clock above {board.OSCILLATOR_MHZ} MHz, only {', '.join(fmax) or 'none'}"
+        )
     return min(reached)

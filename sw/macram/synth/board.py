@@ -31,8 +31,12 @@ def pll_dividers(mhz: int) -> dict[str, int]:
     # The phase detector runs at 4 MHz, of which every multiple of 4 MHz can be made.
     reference = OSCILLATOR_MHZ // 3
     if mhz % reference or not 1 <= mhz // reference <= 80:
-        raise ValueError(f"the clock must be a multiple of {reference} MHz up to {80 * reference}, not {mhz} MHz")
+        raise ValueError(
+            f"the clock must be a multiple of {reference} MHz up to {80 * reference}, not {mhz} MHz"
+        )
     output = hi // mhz
     if not lo <= output * mhz or output > 128:
-        raise ValueError(f"the PLL's oscillator runs at {lo} to {hi} MHz, which no divider takes to {mhz} MHz")
+        raise ValueError(
+            f"the PLL's oscillator runs at {lo} to {hi} MHz, which no divider takes to {mhz} MHz"
+        )
     return {"CLKI_DIV": 3, "CLKFB_DIV": mhz // reference, "CLKOP_DIV": output}

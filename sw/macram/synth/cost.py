@@ -18,14 +18,17 @@ TOP, UNIT = "macram_top", "macram_unit"
 FORMAT = 1
 NOTES = {
     "hierarchical": (
-        "hierarchical: every module synthesised by itself, the unit's arithmetic (macram_unit, flattened) once and "
-        "counted once per instance; nothing is optimised across module borders, so the total is an upper bound"
+        "hierarchical: every module synthesised by itself, the unit's arithmetic (macram_unit, flattened) once, as a "
+        "black box in the rest and counted once per instance; nothing is optimised across module borders, so the "
+        "total is an upper bound"
     ),
     "flat": "flat: the whole design as one module",
 }
 
 
-def synthesise(config: ArrayConfig, device: Device, folder: Path, *, flat: bool, timeout: float) -> dict[str, Any]:
+def synthesise(
+    config: ArrayConfig, device: Device, folder: Path, *, flat: bool, timeout: float
+) -> dict[str, Any]:
     """Synthesise an array and count its resources.
 
     Args:
@@ -82,17 +85,19 @@ def synthesise(config: ArrayConfig, device: Device, folder: Path, *, flat: bool,
 
 
 def _script(names: list[str], device: Device, flat: bool) -> str:
-    """Yosys commands; the engines are always flattened into their unit, whose adders grow together with them."""
-    keep = "" if flat else f"proc\nflatten {UNIT}\n"
-    arguments = " -flatten" if flat and "xilinx" in device.synth else "" if flat else _NO_FLATTEN[device.synth.split()[0]]
-    return (
-        f"read_verilog {' '.join(names)}\n"
-        f"hierarchy -check -top {TOP}\n"
-        f"{keep}"
-        f"{device.synth}{arguments} -top {TOP}\n"
-        "tee -q -o stat.json stat -json\n"
-    )
+    """Yosys commands that end in ``stat.json``."""
+    read = f"read_verilog {' '.join(names)}\n"
+    if flat:
+        body = f"{read}{device.synth}{device.whole} -top {TOP}\n"
+    else:
+        body = f"{unit_script(read, device)}{read}blackbox {UNIT}\n{device.synth}{device.modules} -top {TOP}\n{JOIN}"
+    return f"{body}tee -q -o stat.json stat -json\n"
 
 
-_NO_FLATTEN = {"synth_xilinx": "", "synth_ecp5": " -noflatten"}
-"""How each command is told to leave the hierarchy; the first does unless told otherwise."""
+def unit_script(read: str, device: Device) -> str:
+    """Yosys commands that map the unit as one module and put it aside; ``read`` reads the sources."""
+    return f"{read}{device.synth}{device.unit} -top {UNIT}\ndesign -stash unit\n"
+
+
+JOIN = f"delete ={UNIT}\ndesign -copy-from unit {UNIT}\n"
+"""Yosys commands that put the unit that `unit_script` mapped in the place of the black box."""

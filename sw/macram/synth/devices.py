@@ -16,7 +16,20 @@ _LUT_MEMORIES = {
     "RAM128X1S": 2, "RAM128X1D": 4, "RAM256X1S": 4, "RAM256X1D": 8, "RAM32M": 4, "RAM64M": 4, "RAM32M16": 8,
     "RAM64M8": 8, "RAM32X16DR8": 8, "RAM64X8SW": 8,
 }  # fmt: skip
-_FREE_XILINX = ("INV", "CARRY4", "CARRY8", "MUXF7", "MUXF8", "MUXF9", "BUFG", "BUFGCE", "IBUF", "OBUF", "GND", "VCC")
+_FREE_XILINX = (
+    "INV",
+    "CARRY4",
+    "CARRY8",
+    "MUXF7",
+    "MUXF8",
+    "MUXF9",
+    "BUFG",
+    "BUFGCE",
+    "IBUF",
+    "OBUF",
+    "GND",
+    "VCC",
+)
 
 XILINX_CELLS: Mapping[str, Mapping[str, float]] = {
     **_LUTS_XILINX,
@@ -57,7 +70,8 @@ class Device:
         capacity: LUT, FF, DSP and block RAM that it has.
         cells: cell type of Yosys -> what one takes of each resource.
         synth: the Yosys command that maps to it, without ``-top``.
-        statistics: arguments of Yosys' ``stat``.
+        unit, modules, whole: what is added to it for the unit, as one module; for the rest, module by module; for
+            everything as one module.
     """
 
     name: str
@@ -65,6 +79,9 @@ class Device:
     capacity: Mapping[str, int]
     cells: Mapping[str, Mapping[str, float]]
     synth: str
+    unit: str
+    modules: str
+    whole: str
 
     def count(self, cells: Mapping[str, int]) -> dict[str, float]:
         """Resources of a number of cells per type; types that begin with ``$`` are bookkeeping of Yosys.
@@ -77,7 +94,9 @@ class Device:
             if cell.startswith("$"):
                 continue
             if cell not in self.cells:
-                raise ValueError(f"{self.name}: cell {cell} has no entry in macram.synth.devices; add what it takes")
+                raise ValueError(
+                    f"{self.name}: cell {cell} has no entry in macram.synth.devices; add what it takes"
+                )
             for resource, each in self.cells[cell].items():
                 total[resource] += number * each
         return total
@@ -89,7 +108,9 @@ class Device:
     def excess(self, used: Mapping[str, float]) -> list[str]:
         """A phrase for each resource of which ``used`` takes more than the device allows."""
         return [
-            f"{used[key]:,.0f} {key.upper()} of {self.limit(key):,}" for key in RESOURCES if used[key] > self.limit(key)
+            f"{used[key]:,.0f} {key.upper()} of {self.limit(key):,}"
+            for key in RESOURCES
+            if used[key] > self.limit(key)
         ]
 
 
@@ -102,15 +123,21 @@ DEVICES = {
             {"lut": 70_560, "ff": 141_120, "dsp": 360, "bram": 216},
             XILINX_CELLS,
             "synth_xilinx -family xcup -noiopad -noclkbuf",
+            unit=" -flatten",
+            modules="",
+            whole=" -flatten",
         ),
         Device(
             "ecp5-85k",
             "Lattice ECP5-85F",
             {"lut": 83_640, "ff": 83_640, "dsp": 156, "bram": 208},
             ECP5_CELLS,
-            "synth_ecp5 -nodsp",
+            "synth_ecp5",
+            unit=" -nodsp",
+            modules=" -noflatten",
+            whole=" -nodsp",
         ),
     )
 }
-"""Known devices by the names that the command line takes. Multipliers of an ECP5 are left to wide operands by hand:
-Yosys would spend one on each 3-bit product."""
+"""Known devices by the names that the command line takes. In an ECP5's unit multipliers are forbidden: Yosys would
+spend one of the 156 on each 3-bit product."""

@@ -49,7 +49,9 @@ def plain_names(verilog: str) -> str:
     def plain(match: re.Match[str]) -> str:
         name = re.sub(r"\W", lambda other: _TOKENS.get(other[0], f"_X{ord(other[0]):02X}_"), match[1])
         if taken.setdefault(name, match[1]) != match[1]:
-            raise ValueError(f"identifiers {match[1]} and {taken[name]} would both be called {name}; rename one")
+            raise ValueError(
+                f"identifiers {match[1]} and {taken[name]} would both be called {name}; rename one"
+            )
         return f"{name} "
 
     return re.sub(r"\\(\S+) ", plain, verilog)

@@ -10,7 +10,8 @@ from macram.synth.devices import RESOURCES
 def cost_rows(report: dict[str, Any]) -> list[list[str]]:
     """A row per module, then the total, the device, the share and the limit."""
     rows = [
-        [row["name"], str(row["instances"]), *(_number(row[key]) for key in RESOURCES)] for row in report["modules"]
+        [row["name"], str(row["instances"]), *(_number(row[key]) for key in RESOURCES)]
+        for row in report["modules"]
     ]
     rows.append(["total", "", *(_number(report["total"][key]) for key in RESOURCES)])
     rows.append([report["device"], "", *(_number(report["capacity"][key]) for key in RESOURCES)])
@@ -44,7 +45,10 @@ def bitstream_rows(report: dict[str, Any]) -> list[list[str]]:
     array = report["array"]
     rows = [
         ["board, part", f"{report['board']}, {report['part']}"],
-        ["array", f"{array['name']}: {array['units']} units x {array['rows']} row engines ({array['engine']})"],
+        [
+            "array",
+            f"{array['name']}: {array['units']} units x {array['rows']} row engines ({array['engine']})",
+        ],
         ["products per cycle", f"{report['peak_macs_per_cycle']:,}"],
         ["clock asked for", f"{report['clock_mhz']} MHz"],
         ["Fmax after routing", f"{report['fmax_mhz']:.2f} MHz ({'met' if report['met'] else 'NOT met'})"],
@@ -54,7 +58,10 @@ def bitstream_rows(report: dict[str, Any]) -> list[list[str]]:
         rows.append([name, f"{row['used']:,} of {row['available']:,} ({share:.1f} %)"])
     selftest = report["selftest"]
     rows += [
-        ["self-test", f"{selftest['cycles']:,} cycles, {selftest['beats_out']:,} beats, CRC-32 {selftest['crc32']}"],
+        [
+            "self-test",
+            f"{selftest['cycles']:,} cycles, {selftest['beats_out']:,} beats, CRC-32 {selftest['crc32']}",
+        ],
         ["seed", str(report["seed"])],
         ["bitstream", f"{report['bytes']:,} bytes"],
         ["SHA-256", report["sha256"]],

@@ -90,7 +90,9 @@ def run_yosys(script: str, folder: Path, *, name: str, timeout: float) -> None:
     """
     (folder / f"{name}.ys").write_text(script)
     try:
-        run_tool("yosys", ["-q", "-l", f"{name}.log", f"{name}.ys"], folder, log=f"{name}.out", timeout=timeout)
+        run_tool(
+            "yosys", ["-q", "-l", f"{name}.log", f"{name}.ys"], folder, log=f"{name}.out", timeout=timeout
+        )
     except ToolTimeout:
         raise
     except ToolError as error:
