@@ -20,7 +20,7 @@ OUT_ARG := $(if $(OUT),--out "$(OUT)")
 # Simulator builds stay in the repository here; without make they go to the user's cache folder.
 export MACRAM_BUILD_DIR ?= $(CURDIR)/build
 
-.PHONY: help setup tools demo test test-fast sim rtl rtl-check lint lint-rtl bench clean
+.PHONY: help setup tools demo test test-fast sim rtl rtl-check lint lint-rtl bench synth bitstream clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## (.*)/\1|\2/' | \
@@ -73,6 +73,12 @@ lint-rtl: tools $(STAMP)  ## verilator --lint-only -Wall on the exported Verilog
 
 bench: tools $(STAMP)  ## measure build, simulation and golden model into build/bench/bench.json
 	@$(MACRAM) bench $(OUT_ARG) $(SEED_ARG)
+
+synth: $(STAMP)  ## count LUT, FF, DSP and BRAM of CONFIG by synthesis
+	@$(MACRAM) synth $(CONFIG) $(OUT_ARG)
+
+bitstream: $(STAMP)  ## ECP5 bitstream of configs/ecp5-85k.toml with its self-test
+	@$(MACRAM) bitstream configs/ecp5-85k.toml $(OUT_ARG) $(SEED_ARG)
 
 clean:  ## remove build products; .venv stays
 	rm -rf build .pytest_cache .ruff_cache .mypy_cache .hypothesis

@@ -9,7 +9,23 @@ from macram.spec.registers import ADDRESS_BITS
 from macram_hw.array import COUNTERS, RESIDUAL_REGISTERS, Array
 from macram_hw.axi_lite import AxiLite, AxiLiteRegisters
 
-__all__ = ["Top"]
+__all__ = ["Top", "top_signature"]
+
+
+def top_signature(config: ArrayConfig) -> wiring.Signature:
+    """Ports of `Top`."""
+    width, residual = config.stream_bits, config.residual_stream_bits
+    return wiring.Signature({
+        "aclk": In(1),
+        **({"aclk2x": In(1)} if config.paired_rows else {}),
+        "aresetn": In(1),
+        **{f"s_axi_{name}": member for name, member in AxiLite(ADDRESS_BITS).flip().members.items()},
+        **_stream_members("s_axis", In, width),
+        **_stream_members("s_axis_param", In, width),
+        **_stream_members("m_axis", Out, width),
+        **(_stream_members("s_axis_residual", In, residual) if residual else {}),
+        **(_stream_members("m_axis_residual", Out, residual) if residual else {}),
+    })  # fmt: skip
 
 
 class Top(wiring.Component):
@@ -28,19 +44,8 @@ class Top(wiring.Component):
 
     def __init__(self, config: ArrayConfig):
         self._config = config
-        width, residual = config.stream_bits, config.residual_stream_bits
         self._registers = AxiLite(ADDRESS_BITS).flip().members
-        super().__init__({
-            "aclk": In(1),
-            **({"aclk2x": In(1)} if config.paired_rows else {}),
-            "aresetn": In(1),
-            **{f"s_axi_{name}": member for name, member in self._registers.items()},
-            **_stream_members("s_axis", In, width),
-            **_stream_members("s_axis_param", In, width),
-            **_stream_members("m_axis", Out, width),
-            **(_stream_members("s_axis_residual", In, residual) if residual else {}),
-            **(_stream_members("m_axis_residual", Out, residual) if residual else {}),
-        })  # fmt: skip
+        super().__init__(top_signature(config))
 
     def elaborate(self, platform):
         config = self._config

