@@ -106,7 +106,7 @@ def plan(array: ArrayConfig, seed: int) -> Iterator[Case]:
     traffic = _deal([(gaps, stalls) for gaps in PATTERNS for stalls in PATTERNS], rng)
     params = _deal(PATTERNS, rng)
     kernels = _deal([pair for pair in _KERNELS if admits(array, *pair)], rng)
-    tails, rows = _deal(range(GROUP), rng), _deal(("1", "2", "odd", "even", "any"), rng)
+    tails, rows = _deal((*range(GROUP), None), rng), _deal(("1", "2", "odd", "even", "any"), rng)
     inputs = _deal(("one", "few", "whole", "odd blocks", "any", "most"), rng)
     outputs = _deal(("one", "part", "whole", "tiles", "any", "most"), rng)
     full = _deal([*fullest(array), *[None] * 9], rng)
@@ -115,7 +115,10 @@ def plan(array: ArrayConfig, seed: int) -> Iterator[Case]:
         scenario, (image_gaps, stalls) = next(scenarios), next(traffic)
         kernel, stride = next(kernels)
         tail, row = next(tails), next(rows)
-        width = tail + GROUP * rng.randrange(_WIDEST) if tail else GROUP * rng.randint(1, _WIDEST)
+        if tail is None:
+            tail, width = 1, 1
+        else:
+            width = tail + GROUP * (rng.randrange(_WIDEST) if tail else rng.randint(1, _WIDEST))
         height = {"1": 1, "2": 2, "odd": rng.choice((3, 5, 7)), "even": rng.choice((4, 6))}.get(
             row, rng.randint(1, _HIGHEST)
         )

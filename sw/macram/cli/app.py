@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 from macram import __version__
-from macram.cli import counts_verb, data_verb, evaluate_verb, predict_verb, train_verb
+from macram.cli import counts_verb, data_verb, evaluate_verb, predict_verb, train_verb, verify_verb
 from macram.cli.status import BAD_INPUT, FAILED
 
 SEED = 2022
@@ -39,6 +39,7 @@ examples:
   macram rtl -o rtl                            the array's Verilog
   macram data render -o data --tier mini       a rendered data set with poses, masks, backgrounds
   macram counts                                the paper's tables of operations and storage
+  macram verify regression                     random layers, faults and resets, with functional coverage
   macram sim                                   full-size reference layer and odd shapes, a table at the end
 
 exit status: 0 all well, 1 a check failed, 2 bad input or a missing tool
@@ -97,6 +98,7 @@ def parser() -> argparse.ArgumentParser:
     train_verb.add_train(verb)
     evaluate_verb.add_evaluate(verb)
     predict_verb.add_predict(verb)
+    verify_verb.add_verify(verb)
     return top
 
 
