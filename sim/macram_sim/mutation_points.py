@@ -53,8 +53,8 @@ def mutations(file: str, text: str) -> list[Mutation]:
     lengths = [0]
     for line in text.splitlines(keepends=True):
         lengths.append(lengths[-1] + len(line))
-    finder = _Finder(file, text, lengths)
-    return sorted(finder.all(ast.parse(text)), key=lambda m: (m.start, m.end, m.after))
+    places = {(m.start, m.end, m.after): m for m in _Finder(file, text, lengths).all(ast.parse(text))}
+    return [places[key] for key in sorted(places)]
 
 
 class _Finder:
@@ -98,7 +98,7 @@ class _Finder:
                 yield self._cut(start, end, f"{self._source(no)}, {self._source(yes)}", "multiplexer swapped")
             case ast.Call(func=ast.Attribute(value=value, attr=attr), args=[]) if attr in _REDUCTIONS:
                 yield self._replace(node, f"{self._source(value)}.{_REDUCTIONS[attr]}()", "reduction")
-            case ast.Call(func=ast.Attribute(value=target, attr="eq"), args=[argument]):
+            case ast.Call(func=ast.Attribute(attr="eq"), args=[argument]):
                 stuck = "1" if self._source(argument) == "0" else "0"
                 yield self._replace(argument, stuck, "assignment stuck")
             case ast.Call(func=ast.Attribute(attr="If" | "Elif"), args=[condition]):
