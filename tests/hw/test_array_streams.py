@@ -16,7 +16,16 @@ from macram.spec.registers import MODE_3X3
 from macram_hw.array import COUNTERS, Array
 
 SEED = int(os.environ.get("SEED") or 2022)
-SMALL = dict(units=4, rows=2, drain=1, max_c_in=6, max_c_out=8, weight_depth=18, row_words=8, stream_bits=32)
+SMALL = {
+    "units": 4,
+    "rows": 2,
+    "drain": 1,
+    "max_c_in": 6,
+    "max_c_out": 8,
+    "weight_depth": 18,
+    "row_words": 8,
+    "stream_bits": 32,
+}
 ARRAYS = {
     "portable": ArrayConfig(**SMALL),
     "dsp48e2": ArrayConfig(**SMALL, engine="dsp48e2"),

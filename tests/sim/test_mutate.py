@@ -68,9 +68,19 @@ def faked(monkeypatch):
 
     def fake(self, name, command):
         log.append(name)
-        changed = next((f for f, text in self._sources.items() if (self._tree / "hw/macram_hw" / f).read_text() != text), "")
-        verdicts = {"elaborate": 0, "unit tests": changed == "loader.py", "simulation": changed == "drain.py", "proofs": 0}
-        output = json.dumps({"portable": changed, "dsp48e2": ""}) if name == "elaborate" else "E   it broke\nlast"
+        changed = next(
+            (f for f, text in self._sources.items() if (self._tree / "hw/macram_hw" / f).read_text() != text),
+            "",
+        )
+        verdicts = {
+            "elaborate": 0,
+            "unit tests": changed == "loader.py",
+            "simulation": changed == "drain.py",
+            "proofs": 0,
+        }
+        output = (
+            json.dumps({"portable": changed, "dsp48e2": ""}) if name == "elaborate" else "E   it broke\nlast"
+        )
         return subprocess.CompletedProcess(command, int(verdicts[name]), output, "")
 
     monkeypatch.setattr(MutationRun, "_run", fake)
@@ -79,7 +89,9 @@ def faked(monkeypatch):
 
 def test_killed_survived_and_resumed(faked, tmp_path):
     steps = []
-    first = run_mutants(tmp_path, seed=4, count=12, keep=lambda table, verdict: steps.append((table, verdict)))
+    first = run_mutants(
+        tmp_path, seed=4, count=12, keep=lambda table, verdict: steps.append((table, verdict))
+    )
     assert [table["judged"] for table, _ in steps] == list(range(13))
     assert steps[0][1] is None
     by = {row["file"]: row["killed_by"] for row in first["mutants"]}
@@ -116,21 +128,28 @@ def test_a_reviewed_equivalent_is_no_survivor(faked, tmp_path, monkeypatch):
     monkeypatch.setattr(mutate, "EQUIVALENTS", listed)
     again = run_mutants(tmp_path, seed=4, count=12, earlier=first, keep=lambda *_: None)
     assert (again["equivalent"], again["survived"]) == (1, first["survived"] - 1)
-    assert next(r["how"] for r in again["mutants"] if r["killed_by"] == "equivalent") == "the bit is never read"
+    assert (
+        next(r["how"] for r in again["mutants"] if r["killed_by"] == "equivalent") == "the bit is never read"
+    )
 
 
 def test_checks_that_fail_on_sound_gateware_are_no_measure(tmp_path, monkeypatch):
     def fake(self, name, command):
-        return subprocess.CompletedProcess(command, int(name != "elaborate"), json.dumps({"portable": str(len(command))}), "")
+        return subprocess.CompletedProcess(
+            command, int(name != "elaborate"), json.dumps({"portable": str(len(command))}), ""
+        )
 
     monkeypatch.setattr(MutationRun, "_run", fake)
-    monkeypatch.setattr(MutationRun, "_fingerprints", lambda self, known: {"portable": "new" if known else "old"})
+    monkeypatch.setattr(
+        MutationRun, "_fingerprints", lambda self, known: {"portable": "new" if known else "old"}
+    )
     with pytest.raises(RuntimeError, match="the unit tests fail on the unchanged gateware"):
         run_mutants(tmp_path, seed=1, count=1, keep=lambda *_: None)
 
 
 @pytest.mark.parametrize(
-    ("seed", "count", "message"), [(-1, 1, "seed must be 0 or more"), (1, 0, "number of mutants must be at least 1")]
+    ("seed", "count", "message"),
+    [(-1, 1, "seed must be 0 or more"), (1, 0, "number of mutants must be at least 1")],
 )
 def test_bad_arguments(seed, count, message, tmp_path):
     with pytest.raises(ValueError, match=message):

@@ -35,7 +35,9 @@ def test_a_failing_case_is_named_with_its_replay(toolchain, monkeypatch):
     """The array has twice the row engines of the one that the driver packs for."""
     model = build_array(PORTABLE)
     monkeypatch.setattr(regression, "build_array", lambda array: model)
-    with pytest.raises(SimulationError, match=r"CaseFailure: case 4 \(.*again: .* --seed 5 --only 4") as caught:
+    with pytest.raises(
+        SimulationError, match=r"CaseFailure: case 4 \(.*again: .* --seed 5 --only 4"
+    ) as caught:
         regress([replace(PORTABLE, rows=1)], seed=5, only=4)
     assert "\n  log: " in str(caught.value)
 
@@ -62,7 +64,10 @@ def test_a_bin_that_nothing_met_is_missed():
     met = {name for name, count in result.hits.items() if count}
     assert {"width mod 4 = 0", "height 2", "codes: uniform", "INPUT_STALLS counted", "one image"} <= met
     assert {"input gaps none, output stalls bursty", "parameter gaps random", "a negative scale"} <= met
-    assert not {"width 1", "highest output code", "a zero scale", "no stall at all", "smallest sum of the layer"} & met
+    assert (
+        not {"width 1", "highest output code", "a zero scale", "no stall at all", "smallest sum of the layer"}
+        & met
+    )
     assert set(result.missed) == set(result.hits) - met
     assert result.share == pytest.approx(len(met) / len(result.hits))
 

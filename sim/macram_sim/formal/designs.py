@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from macram.spec import ENGINE_LATENCY, GROUP, ArrayConfig, IntFormat
@@ -20,6 +21,8 @@ SMALL = ArrayConfig(
     stream_bits=32, weight=IntFormat(2, signed=True), input=IntFormat(2), output=IntFormat(2),
 )  # fmt: skip
 """The smallest array with several blocks, tiles and groups."""
+ONE_CHANNEL = replace(SMALL, max_c_in=1)
+"""Accumulators sized for nine products; their width follows from formats and fan-in alike at every size."""
 ABSTRACT = """
 // Memories and units with any contents: what holds with them holds whatever is stored and computed.
 module macram_ram #(parameter WIDTH = 1, DEPTH = 1, ADDR_BITS = 1, LANES = 1, INIT_FILE = "") (
@@ -86,7 +89,7 @@ def _registers() -> dict[str, str]:
 def _unit() -> dict[str, str]:
     from macram_hw.unit import UnitCore  # noqa: PLC0415
 
-    return _component(lambda: UnitCore(SMALL), "macram_lutram.v")
+    return _component(lambda: UnitCore(ONE_CHANNEL), "macram_lutram.v")
 
 
 def _abstract() -> dict[str, str]:

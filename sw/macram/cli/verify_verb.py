@@ -54,7 +54,9 @@ def add_verify(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) ->
         "formal",
         help="prove stream rules, ranges, bus protocol, arithmetic and progress on the exported Verilog",
     )
-    formal.add_argument("--module", dest="about", help="only proofs about this gateware module, such as gearbox")
+    formal.add_argument(
+        "--module", dest="about", help="only proofs about this gateware module, such as gearbox"
+    )
     formal.add_argument("--fast", action="store_true", help="only proofs that take seconds")
     formal.add_argument(
         "--sound-only", action="store_true", help="do not also show that broken gateware fails"
