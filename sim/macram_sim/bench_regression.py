@@ -1,7 +1,7 @@
 """The cocotb bench of the constrained-random regression: one simulation, many cases.
 
-The folder named by ``MACRAM_JOB`` holds ``job.json`` (array, seed, indices of the cases); the bench appends one line per
-finished case to ``seen.jsonl``: what `macram_sim.coverage` judges.
+The folder named by ``MACRAM_JOB`` holds ``job.json`` (array, seed, indices of the cases); the bench appends one line
+per finished case to ``seen.jsonl``: what `macram_sim.coverage` judges.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
 """The mutation run: break the gateware in one place at a time and see whether the checks notice.
 
-Works on a frozen copy, so the checkout may change meanwhile. A mutant counts only if it elaborates and changes the Verilog of
-a small array. It is killed by the first check that fails or does not end in time: the unit tests of its module, then
-the regression of that array on Verilator, then the proofs about its module.
+Works on a frozen copy, so the checkout may change meanwhile. A mutant counts only if it elaborates and changes what
+a small array elaborates to. It is killed by the first check that fails or does not end in time: the unit tests of its
+module and the whole array in Amaranth's simulator, then the regression of that array on Verilator, then the proofs
+about its module.
 """
 
 from __future__ import annotations

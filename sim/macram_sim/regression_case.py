@@ -130,7 +130,7 @@ class CaseBench:
         assert not await self.read("STATUS") & Status.BUSY, "a soft reset left the array busy"
 
     async def works(self) -> None:
-        """A whole image: exact codes, counters that add up to the closed form, every beat taken once and none too many."""
+        """A whole image: exact codes, cycles of the closed form, every beat taken once and none too many."""
         before = self.transport.moved
         result = await self.driver.run(self.layer.input)
         self.compare(result.codes)

@@ -1,8 +1,8 @@
 """Constrained-random cases for the array: which layer, which traffic, which disturbance.
 
-Every choice deals from a shuffled deck that holds each option once, so that a short run already meets every option and a
-long one meets them equally often. The plan depends on the array and the seed alone; case i is the same in a run of
-any length.
+Every choice deals from a shuffled deck that holds each option once, so that a short run already meets every option
+and a long one meets them equally often. The plan depends on the array and the seed alone; case i is the same in a run
+of any length.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The constrained-random regression: every bin met, replayable, and it notices an array that is not the one it expects."""
+"""The constrained-random regression: every bin met, replayable, and a wrong array noticed."""
 
 from __future__ import annotations
 

@@ -9,7 +9,6 @@ from macram_sim.formal.designs import ONE_CHANNEL, engine_config
 from macram_sim.formal.harness import OPENING, packed
 from macram_sim.formal.proof import Break, Proof
 
-
 SUM_BITS = 12
 """Wider than any sum in these proofs needs."""
 
@@ -50,7 +49,8 @@ def _engine(kind: str) -> Callable[[], str]:
             for i in range(1, latency + 1)
         )
         checks = "".join(
-            f"        assert ($signed(lanes[{(k + 1) * width - 1}:{k * width}]) + $signed({{1'b0, carries[{k}]}}) == sum{k});\n"
+            f"        assert ($signed(lanes[{(k + 1) * width - 1}:{k * width}])"
+            f" + $signed({{1'b0, carries[{k}]}}) == sum{k});\n"
             for k in range(LANES)
         )
         return (
@@ -89,7 +89,8 @@ def _unit() -> str:
     starts = ["kept0", "edge ? 0 : kept1", "0", "0", "0", "0"]
     addends = ["edge ? 0 : lane0", *(f"lane{k}" for k in range(1, LANES))]
     totals = "".join(
-        f"    wire signed [{SUM_BITS - 1}:0] total{k} = (first ? ({starts[k]}) : run{k}) + ({addends[k]});\n    reg signed [{SUM_BITS - 1}:0] run{k};\n"
+        f"    wire signed [{SUM_BITS - 1}:0] total{k} = (first ? ({starts[k]}) : run{k}) + ({addends[k]});\n"
+        f"    reg signed [{SUM_BITS - 1}:0] run{k};\n"
         for k in range(LANES)
     )
     keep = "".join(f"run{k} <= total{k}; " for k in range(LANES))
@@ -149,18 +150,33 @@ _ENGINE_BREAKS = {
 ARITHMETIC: tuple[Proof, ...] = (
     *(
         Proof(
-            f"engine-{kind}", f"a {kind} row engine gives the six plain lane sums, for all operands",
-            f"engine {kind}", _engine(kind), latency + 2, False, ("engine", "dsp48e2"), _ENGINE_BREAKS.get(kind, ()),
+            f"engine-{kind}",
+            f"a {kind} row engine gives the six plain lane sums, for all operands",
+            f"engine {kind}",
+            _engine(kind),
+            latency + 2,
+            False,
+            ("engine", "dsp48e2"),
+            _ENGINE_BREAKS.get(kind, ()),
         )
         for kind, latency in ENGINE_LATENCY.items()
     ),
     Proof(
-        "accumulators", "accumulators, carries and results hold every sum of 9 * max_c_in products, and two in a row",
-        "unit", _unit, 2 * SUM_STEPS + 7, False, ("unit", "engine"),
+        "accumulators",
+        "accumulators, carries and results hold every sum of 9 * max_c_in products, and two in a row",
+        "unit",
+        _unit,
+        2 * SUM_STEPS + 7,
+        False,
+        ("unit", "engine"),
         (
             Break("unit.py", "lane_shape(config, config.rows)", "lane_shape(config, 1).width - 1"),
-            Break("unit.py", "start, addend = carried.data[0], Mux(control.edge, 0, sums[0])", "start, addend = carried.data[0], sums[0]"),
+            Break(
+                "unit.py",
+                "start, addend = carried.data[0], Mux(control.edge, 0, sums[0])",
+                "start, addend = carried.data[0], sums[0]",
+            ),
             Break("unit.py", "kept.data[1].eq(totals[GROUP + 1])", "kept.data[1].eq(totals[GROUP])"),
         ),
     ),
-)  # fmt: skip
+)

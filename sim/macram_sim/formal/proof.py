@@ -44,7 +44,8 @@ class Break:
         text = path.read_text()
         if text.count(self.old) != 1:
             raise ValueError(
-                f"{self.file} holds {self.old!r} {text.count(self.old)} times; bring the proof's broken modules up to date"
+                f"{self.file} holds {self.old!r} {text.count(self.old)} times; "
+                "bring the proof's broken modules up to date"
             )
         path.write_text(text.replace(self.old, self.new))
 

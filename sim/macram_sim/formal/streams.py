@@ -19,7 +19,8 @@ _EMIT_PORTS = """
     (* anyseq *) wire last;
     wire in_ready, out_valid; wire [{beat}:0] data; wire tlast; wire pixel_last;
     dut dut(.clk(clk), .rst(rst), .beats_per_pixel(beats), .i__payload({{last, pixel_last, word}}),
-        .i__valid(in_valid), .i__ready(in_ready), .o__payload({{tlast, data}}), .o__valid(out_valid), .o__ready(out_ready));
+        .i__valid(in_valid), .i__ready(in_ready), .o__payload({{tlast, data}}), .o__valid(out_valid),
+        .o__ready(out_ready));
 """
 _LIMITS = f"""
     always @* assume (beats >= 1 && beats <= 2 && words >= 1 && words <= 3);
@@ -230,8 +231,8 @@ def _drain() -> str:
         OPENING
         + f"""
     (* anyconst *) reg [1023:0] shape;
-    (* anyseq *) wire [1023:0] info; (* anyseq *) wire [1023:0] heads; (* anyseq *) wire finished; (* anyseq *) wire ready;
-    wire valid; wire [{word - 1}:0] word;
+    (* anyseq *) wire [1023:0] info; (* anyseq *) wire [1023:0] heads; (* anyseq *) wire finished;
+    (* anyseq *) wire ready; wire valid; wire [{word - 1}:0] word;
     // START comes only when nothing is left of the image before.
     dut dut(.clk(clk), .rst(rst), .start(1'b0), .shape(shape), .finished(finished), .info(info), .heads(heads),
         .write_en(1'b0), .write(0), .o__valid(valid), .o__ready(ready), .o__payload(word));
@@ -244,65 +245,148 @@ def _drain() -> str:
 _GEARBOX = "gearbox.py"
 _INGEST_BREAKS = (
     Break(_GEARBOX, "(level_after <= self._word)", "(level_after <= self._word + 2)"),
-    Break(_GEARBOX, "Mux(put, self.i.payload, Const(0, self._beat)) << level_after", "self.i.payload << level_after"),
-    Break(_GEARBOX, "pixel_done.eq(taken & (words_out + 1 == self.words_per_pixel))", "pixel_done.eq(taken & (words_out == self.words_per_pixel))"),
-)  # fmt: skip
+    Break(
+        _GEARBOX,
+        "Mux(put, self.i.payload, Const(0, self._beat)) << level_after",
+        "self.i.payload << level_after",
+    ),
+    Break(
+        _GEARBOX,
+        "pixel_done.eq(taken & (words_out + 1 == self.words_per_pixel))",
+        "pixel_done.eq(taken & (words_out == self.words_per_pixel))",
+    ),
+)
 _EMIT_BREAKS = (
     Break(_GEARBOX, "(level_after <= self._beat)", "(level_after <= self._beat + 4)"),
-    Break(_GEARBOX, "Mux(put, self.i.payload.data, Const(0, self._word)) << level_after", "self.i.payload.data << level_after"),
+    Break(
+        _GEARBOX,
+        "Mux(put, self.i.payload.data, Const(0, self._word)) << level_after",
+        "self.i.payload.data << level_after",
+    ),
     Break(_GEARBOX, "self.o.payload.last.eq(last_beat & image_last)", "self.o.payload.last.eq(image_last)"),
-)  # fmt: skip
+)
 
 STREAMS: tuple[Proof, ...] = (
     Proof(
-        "ingest-stable", "line-buffer words stay on offer, unchanged, until taken",
-        "ingest gearbox", _ingest_stable, 2, True, ("gearbox", "array"),
+        "ingest-stable",
+        "line-buffer words stay on offer, unchanged, until taken",
+        "ingest gearbox",
+        _ingest_stable,
+        2,
+        True,
+        ("gearbox", "array"),
         (
-            Break(_GEARBOX, "(level >= self._word) | (beats_in == self.beats_per_pixel)", "(level >= self._word) | (beats_in == self.i.payload)"),
-            Break(_GEARBOX, "Mux(put, self.i.payload, Const(0, self._beat)) << level_after", "self.i.payload"),
+            Break(
+                _GEARBOX,
+                "(level >= self._word) | (beats_in == self.beats_per_pixel)",
+                "(level >= self._word) | (beats_in == self.i.payload)",
+            ),
+            Break(
+                _GEARBOX, "Mux(put, self.i.payload, Const(0, self._beat)) << level_after", "self.i.payload"
+            ),
         ),
     ),
     Proof(
-        "ingest-order", "every bit of every beat reaches its place in its word, once; nothing is lost or invented",
-        "ingest gearbox", _ingest_order, 11, False, ("gearbox", "array"), _INGEST_BREAKS,
+        "ingest-order",
+        "every bit of every beat reaches its place in its word, once; nothing is lost or invented",
+        "ingest gearbox",
+        _ingest_order,
+        11,
+        False,
+        ("gearbox", "array"),
+        _INGEST_BREAKS,
     ),
     Proof(
-        "emit-stable", "output beats stay on offer, unchanged, until taken",
-        "emit gearbox", _emit_stable, 2, True, ("gearbox", "array", "top"),
+        "emit-stable",
+        "output beats stay on offer, unchanged, until taken",
+        "emit gearbox",
+        _emit_stable,
+        2,
+        True,
+        ("gearbox", "array", "top"),
         (
             Break(_GEARBOX, "(level >= self._beat) | complete", "(level >= self._beat) | self.i.valid"),
-            Break(_GEARBOX, "Mux(put, self.i.payload.data, Const(0, self._word)) << level_after", "self.i.payload.data"),
-            Break(_GEARBOX, "(~complete | pixel_done) & (level_after <= self._beat)", "(level_after <= self._beat)"),
+            Break(
+                _GEARBOX,
+                "Mux(put, self.i.payload.data, Const(0, self._word)) << level_after",
+                "self.i.payload.data",
+            ),
+            Break(
+                _GEARBOX,
+                "(~complete | pixel_done) & (level_after <= self._beat)",
+                "(level_after <= self._beat)",
+            ),
         ),
     ),
     Proof(
-        "emit-order", "every bit of every word reaches its place in its beat, once; TLAST ends the image",
-        "emit gearbox", _emit_order, 11, False, ("gearbox", "array", "top"), _EMIT_BREAKS,
+        "emit-order",
+        "every bit of every word reaches its place in its beat, once; TLAST ends the image",
+        "emit gearbox",
+        _emit_order,
+        11,
+        False,
+        ("gearbox", "array", "top"),
+        _EMIT_BREAKS,
     ),
     Proof(
-        "frame", "exactly one image passes; TLAST early or missing is named, and only then",
-        "frame check", _frame, 26, False, ("array",),
+        "frame",
+        "exactly one image passes; TLAST early or missing is named, and only then",
+        "frame check",
+        _frame,
+        26,
+        False,
+        ("array",),
         (
             Break("array.py", "self.o.valid.eq(self.i.valid & is_open)", "self.o.valid.eq(self.i.valid)"),
-            Break("array.py", "row_last.eq(pixel_last & (column + 1 == self.shape.width))", "row_last.eq(pixel_last & (column == self.shape.width))"),
-            Break("array.py", "self.fault.eq(put & (self.i.payload.last != image_last))", "self.fault.eq(put & ~self.i.payload.last & image_last)"),
+            Break(
+                "array.py",
+                "row_last.eq(pixel_last & (column + 1 == self.shape.width))",
+                "row_last.eq(pixel_last & (column == self.shape.width))",
+            ),
+            Break(
+                "array.py",
+                "self.fault.eq(put & (self.i.payload.last != image_last))",
+                "self.fault.eq(put & ~self.i.payload.last & image_last)",
+            ),
         ),
     ),
     Proof(
-        "loader", "every word is written once, whole, to its memory and address; TLAST faults are named",
-        "loader", _loader, 24, False, ("loader",),
+        "loader",
+        "every word is written once, whole, to its memory and address; TLAST faults are named",
+        "loader",
+        _loader,
+        24,
+        False,
+        ("loader",),
         (
-            Break("loader.py", "unit_done.eq(word_done & (word_index + 1 == self.words))", "unit_done.eq(word_done & (word_index == self.words))"),
-            Break("loader.py", "self.requant_en.eq(word_done & to_requant)", "self.requant_en.eq(put & to_requant)"),
-            Break("loader.py", "beat_index.eq(0), word_index.eq(0), unit.eq(1),", "word_index.eq(0), unit.eq(1),"),
+            Break(
+                "loader.py",
+                "unit_done.eq(word_done & (word_index + 1 == self.words))",
+                "unit_done.eq(word_done & (word_index == self.words))",
+            ),
+            Break(
+                "loader.py",
+                "self.requant_en.eq(word_done & to_requant)",
+                "self.requant_en.eq(put & to_requant)",
+            ),
+            Break(
+                "loader.py",
+                "beat_index.eq(0), word_index.eq(0), unit.eq(1),",
+                "word_index.eq(0), unit.eq(1),",
+            ),
         ),
     ),
     Proof(
-        "drain-stable", "the drain's words stay on offer, unchanged, until taken",
-        "drain", _drain, 2, True, ("drain",),
+        "drain-stable",
+        "the drain's words stay on offer, unchanged, until taken",
+        "drain",
+        _drain,
+        2,
+        True,
+        ("drain",),
         (
             Break("drain.py", "get.en.eq(advance)", "get.en.eq(1)"),
             Break("drain.py", "advance.eq(~valid | self.o.ready)", "advance.eq(1)"),
         ),
     ),
-)  # fmt: skip
+)
