@@ -109,7 +109,7 @@ RUN_CYCLES = 54
 
 
 def _run() -> str:
-    """From START to DONE with every shape of up to 2 x 4 pixels, two blocks or two tiles, any contents, gaps and stalls."""
+    """From START to DONE: every shape of up to 2 x 4 pixels, two blocks or two tiles; any contents, gaps, stalls."""
     bits = SMALL.stream_bits
     return (
         OPENING
