@@ -26,19 +26,19 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   wire [3:0] axi__wstrb;
   wire axi__wvalid;
   wire busy;
-  wire \busy$70 ;
+  wire \busy$76 ;
   wire [31:0] c_in;
-  wire [31:0] \c_in$64 ;
+  wire [31:0] \c_in$66 ;
   wire [31:0] c_out;
-  wire [31:0] \c_out$66 ;
+  wire [31:0] \c_out$68 ;
   wire clk;
   wire [3:0] command;
   wire [2:0] \command$56 ;
   wire [31:0] cycles;
-  wire [31:0] \cycles$76 ;
+  wire [31:0] \cycles$84 ;
   wire done;
   wire [31:0] drain_cycles;
-  wire [31:0] \drain_cycles$86 ;
+  wire [31:0] \drain_cycles$94 ;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -46,21 +46,24 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   (* enum_value_011 = "TLAST_EARLY" *)
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
+  (* enum_value_110 = "BAD_RANGE" *)
   wire [2:0] error;
-  wire [31:0] \error$74 ;
+  wire [31:0] \error$82 ;
   wire [31:0] fill_cycles;
-  wire [31:0] \fill_cycles$80 ;
+  wire [31:0] \fill_cycles$88 ;
   wire [31:0] formats;
   wire [31:0] geometry;
   wire [31:0] height;
-  wire [31:0] \height$60 ;
+  wire [31:0] \height$62 ;
   wire [64:0] i__payload;
   wire [63:0] \i__payload.data ;
   wire \i__payload.last ;
   wire i__ready;
   wire i__valid;
   wire [31:0] input_stalls;
-  wire [31:0] \input_stalls$82 ;
+  wire [31:0] \input_stalls$90 ;
+  wire loading;
+  wire \loading$78 ;
   output [63:0] m_axis_tdata;
   wire [63:0] m_axis_tdata;
   output m_axis_tlast;
@@ -70,23 +73,27 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   output m_axis_tvalid;
   wire m_axis_tvalid;
   wire [31:0] mac_cycles;
-  wire [31:0] \mac_cycles$78 ;
+  wire [31:0] \mac_cycles$86 ;
   wire [31:0] max_channels;
   wire [31:0] mode;
-  wire [31:0] \mode$68 ;
+  wire [31:0] \mode$70 ;
   wire [64:0] o__payload;
   wire [63:0] \o__payload.data ;
   wire \o__payload.last ;
   wire o__ready;
   wire o__valid;
   wire [31:0] output_stalls;
-  wire [31:0] \output_stalls$84 ;
+  wire [31:0] \output_stalls$92 ;
+  wire [31:0] param_base;
+  wire [31:0] \param_base$60 ;
   wire [31:0] param_words;
   wire [64:0] params__payload;
   wire [63:0] \params__payload.data ;
   wire \params__payload.last ;
   wire params__ready;
   wire params__valid;
+  wire [31:0] requant_base;
+  wire [31:0] \requant_base$74 ;
   wire [31:0] row_words;
   wire rst;
   input [6:0] s_axi_araddr;
@@ -145,38 +152,43 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   wire s_axis_tvalid;
   wire soft_reset;
   wire [31:0] status;
+  wire [31:0] weight_base;
+  wire [31:0] \weight_base$72 ;
   wire [31:0] weight_depth;
   wire [31:0] width;
-  wire [31:0] \width$62 ;
+  wire [31:0] \width$64 ;
   wire [31:0] words;
   assign rst = ~ aresetn;
   assign \$1  = | error;
   \macram_top.array  array (
+    .base(param_base),
     .busy(busy),
-    .\busy$16 (s_axis_param_tready),
     .c_in(c_in),
     .c_out(c_out),
     .clk(aclk),
     .cycles(cycles),
     .done(done),
     .drain_cycles(drain_cycles),
-    .\error$608 (error),
+    .\error$633 (error),
     .fill_cycles(fill_cycles),
     .height(height),
     .i__payload(i__payload),
-    .\i__payload$53 (params__payload),
+    .\i__payload$71 (params__payload),
     .i__ready(s_axis_tready),
     .i__valid(s_axis_tvalid),
-    .\i__valid$57 (s_axis_param_tvalid),
+    .\i__valid$75 (s_axis_param_tvalid),
     .input_stalls(input_stalls),
+    .loading(s_axis_param_tready),
     .mac_cycles(mac_cycles),
     .mode(mode),
-    .\o__payload$47 (o__payload),
-    .\o__ready$49 (m_axis_tready),
-    .\o__valid$51 (m_axis_tvalid),
+    .\o__payload$65 (o__payload),
+    .\o__ready$67 (m_axis_tready),
+    .\o__valid$69 (m_axis_tvalid),
     .output_stalls(output_stalls),
-    .\port$1022$0 (command),
+    .\port$1170$0 (command),
+    .requant_base(requant_base),
     .rst(rst),
+    .weight_base(weight_base),
     .width(width),
     .words(words)
   );
@@ -208,14 +220,18 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .fill_cycles(fill_cycles),
     .height(height),
     .input_stalls(input_stalls),
+    .loading(s_axis_param_tready),
     .mac_cycles(mac_cycles),
     .mode(mode),
     .output_stalls(output_stalls),
+    .param_base(param_base),
     .param_words(words),
-    .\port$1059$0 (error),
-    .\port$1061$0 (done),
+    .\port$1214$0 (done),
+    .\port$1220$0 (error),
     .\port$2$0 (\$1 ),
+    .requant_base(requant_base),
     .rst(rst),
+    .weight_base(weight_base),
     .width(width)
   );
   assign clk = aclk;
@@ -241,23 +257,28 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign soft_reset = command[3];
   assign \command$56  = command[2:0];
   assign param_words = words;
-  assign \height$60  = height;
-  assign \width$62  = width;
-  assign \c_in$64  = c_in;
-  assign \c_out$66  = c_out;
-  assign \mode$68  = mode;
-  assign \busy$70  = busy;
-  assign status = { 29'h00000000, \$1 , done, busy };
-  assign \error$74  = { 29'h00000000, error };
-  assign \cycles$76  = cycles;
-  assign \mac_cycles$78  = mac_cycles;
-  assign \fill_cycles$80  = fill_cycles;
-  assign \input_stalls$82  = input_stalls;
-  assign \output_stalls$84  = output_stalls;
-  assign \drain_cycles$86  = drain_cycles;
+  assign \param_base$60  = param_base;
+  assign \height$62  = height;
+  assign \width$64  = width;
+  assign \c_in$66  = c_in;
+  assign \c_out$68  = c_out;
+  assign \mode$70  = mode;
+  assign \weight_base$72  = weight_base;
+  assign \requant_base$74  = requant_base;
+  assign \busy$76  = busy;
+  assign loading = s_axis_param_tready;
+  assign \loading$78  = s_axis_param_tready;
+  assign status = { 28'h0000000, s_axis_param_tready, \$1 , done, busy };
+  assign \error$82  = { 29'h00000000, error };
+  assign \cycles$84  = cycles;
+  assign \mac_cycles$86  = mac_cycles;
+  assign \fill_cycles$88  = fill_cycles;
+  assign \input_stalls$90  = input_stalls;
+  assign \output_stalls$92  = output_stalls;
+  assign \drain_cycles$94  = drain_cycles;
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
-  assign weight_depth = 32'd512;
+  assign weight_depth = 32'd1024;
   assign row_words = 32'd512;
   assign max_channels = 32'd67109888;
   assign i__valid = s_axis_tvalid;
@@ -280,220 +301,229 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__ready, \o__valid$51 , i__payload, \i__payload$53 , \port$1022$0 , height, width, c_in, c_out, mode, words, \error$608 , done, cycles, mac_cycles, fill_cycles
-, input_stalls, output_stalls, drain_cycles, \o__payload$47 , \busy$16 , clk);
+module \macram_top.array (i__valid, \i__valid$75 , \o__ready$67 , rst, busy, i__ready, \o__valid$69 , i__payload, \i__payload$71 , \port$1170$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$633 
+, cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$65 , loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
-  wire \$10 ;
+  wire [3:0] \$10 ;
   wire \$11 ;
   wire \$12 ;
   wire \$13 ;
-  wire [9:0] \$14 ;
+  wire \$14 ;
   wire \$15 ;
   wire \$16 ;
   wire \$17 ;
   wire \$18 ;
   wire \$19 ;
-  wire \$2 ;
+  wire [10:0] \$2 ;
   wire \$20 ;
   wire \$21 ;
   wire \$22 ;
-  wire [2:0] \$23 ;
-  wire \$24 ;
-  wire \$25 ;
+  wire \$23 ;
+  wire [3:0] \$24 ;
+  wire [3:0] \$25 ;
   wire \$26 ;
   wire \$27 ;
-  wire \$28 ;
-  wire [3:0] \$29 ;
-  wire \$3 ;
-  wire [3:0] \$30 ;
+  wire [2:0] \$28 ;
+  wire \$29 ;
+  wire [10:0] \$3 ;
+  wire \$30 ;
   wire \$31 ;
   wire \$32 ;
   wire \$33 ;
   wire \$34 ;
-  wire [9:0] \$35 ;
+  wire \$35 ;
   wire \$36 ;
   wire \$37 ;
   wire \$38 ;
-  wire \$39 ;
+  wire [32:0] \$39 ;
   wire \$4 ;
   wire \$40 ;
   wire \$41 ;
   wire \$42 ;
-  wire \$43 ;
+  wire [32:0] \$43 ;
   wire [32:0] \$44 ;
-  wire \$45 ;
-  wire \$46 ;
-  wire \$47 ;
-  wire [32:0] \$48 ;
-  wire [32:0] \$49 ;
-  wire \$5 ;
-  wire [32:0] \$50 ;
-  wire [32:0] \$51 ;
-  wire [32:0] \$52 ;
-  reg [1:0] \$53 ;
-  reg \$54 ;
-  reg [2:0] \$55 ;
-  reg \$56 ;
-  reg [7:0] \$57 ;
-  reg [7:0] \$58 ;
-  reg [7:0] \$59 ;
+  wire [32:0] \$45 ;
+  wire [32:0] \$46 ;
+  wire [32:0] \$47 ;
+  reg [1:0] \$48 ;
+  reg \$49 ;
+  wire [31:0] \$5 ;
+  reg \$50 ;
+  reg \$51 ;
+  reg [2:0] \$52 ;
+  reg [7:0] \$53 ;
+  reg [7:0] \$54 ;
+  reg [7:0] \$55 ;
+  reg [7:0] \$56 ;
+  reg \$57 ;
+  reg \$58 ;
+  reg \$59 ;
   wire \$6 ;
-  reg [7:0] \$60 ;
-  reg \$61 ;
-  reg \$62 ;
-  reg \$63 ;
+  reg [31:0] \$60 ;
+  reg [31:0] \$61 ;
+  reg [31:0] \$62 ;
+  reg [31:0] \$63 ;
   reg [31:0] \$64 ;
   reg [31:0] \$65 ;
-  reg [31:0] \$66 ;
-  reg [31:0] \$67 ;
-  reg [31:0] \$68 ;
-  reg [31:0] \$69 ;
+  wire [9:0] \$66 ;
+  wire [7:0] \$67 ;
+  wire [671:0] \$68 ;
   wire \$7 ;
-  wire [8:0] \$70 ;
-  wire [7:0] \$71 ;
-  wire [535:0] \$72 ;
-  wire [3:0] \$8 ;
+  wire \$8 ;
   wire [3:0] \$9 ;
   wire \$signal ;
-  wire \$signal$603 ;
-  reg \$signal$604  = 1'h0;
-  reg \$signal$621  = 1'h0;
+  wire \$signal$29 ;
+  wire \$signal$33 ;
+  (* enum_base_type = "Error" *)
+  (* enum_value_000 = "NONE" *)
+  (* enum_value_001 = "BAD_SHAPE" *)
+  (* enum_value_010 = "BAD_MODE" *)
+  (* enum_value_011 = "TLAST_EARLY" *)
+  (* enum_value_100 = "TLAST_MISSING" *)
+  (* enum_value_101 = "BAD_COMMAND" *)
+  (* enum_value_110 = "BAD_RANGE" *)
+  reg [2:0] \$signal$35 ;
+  wire \$signal$623 ;
+  wire \$signal$625 ;
+  reg \$signal$626  = 1'h0;
+  reg \$signal$645  = 1'h0;
   wire [95:0] activations;
-  wire [95:0] \activations$105 ;
-  wire [95:0] \activations$114 ;
-  wire [95:0] \activations$123 ;
-  wire [95:0] \activations$132 ;
-  wire [95:0] \activations$140 ;
-  wire [95:0] \activations$148 ;
-  wire [95:0] \activations$156 ;
-  wire [95:0] \activations$164 ;
-  wire [95:0] \activations$172 ;
-  wire [95:0] \activations$180 ;
-  wire [95:0] \activations$188 ;
-  wire [95:0] \activations$196 ;
-  wire [95:0] \activations$204 ;
-  wire [95:0] \activations$212 ;
-  wire [95:0] \activations$220 ;
-  wire [95:0] \activations$228 ;
-  wire [95:0] \activations$236 ;
-  wire [95:0] \activations$244 ;
-  wire [95:0] \activations$252 ;
-  wire [95:0] \activations$260 ;
-  wire [95:0] \activations$268 ;
-  wire [95:0] \activations$276 ;
-  wire [95:0] \activations$284 ;
-  wire [95:0] \activations$292 ;
-  wire [95:0] \activations$300 ;
-  wire [95:0] \activations$308 ;
-  wire [95:0] \activations$316 ;
-  wire [95:0] \activations$324 ;
-  wire [95:0] \activations$332 ;
-  wire [95:0] \activations$340 ;
-  wire [95:0] \activations$348 ;
-  wire [95:0] \activations$356 ;
-  wire [95:0] \activations$364 ;
-  wire [95:0] \activations$372 ;
-  wire [95:0] \activations$380 ;
-  wire [95:0] \activations$388 ;
-  wire [95:0] \activations$396 ;
-  wire [95:0] \activations$404 ;
-  wire [95:0] \activations$412 ;
-  wire [95:0] \activations$420 ;
-  wire [95:0] \activations$428 ;
-  wire [95:0] \activations$436 ;
-  wire [95:0] \activations$444 ;
-  wire [95:0] \activations$452 ;
-  wire [95:0] \activations$460 ;
-  wire [95:0] \activations$468 ;
-  wire [95:0] \activations$476 ;
-  wire [95:0] \activations$484 ;
-  wire [95:0] \activations$492 ;
-  wire [95:0] \activations$500 ;
-  wire [95:0] \activations$508 ;
-  wire [95:0] \activations$516 ;
-  wire [95:0] \activations$524 ;
-  wire [95:0] \activations$532 ;
-  wire [95:0] \activations$540 ;
-  wire [95:0] \activations$548 ;
-  wire [95:0] \activations$556 ;
-  wire [95:0] \activations$564 ;
-  wire [95:0] \activations$572 ;
-  wire [95:0] \activations$580 ;
+  wire [95:0] \activations$127 ;
+  wire [95:0] \activations$136 ;
+  wire [95:0] \activations$145 ;
+  wire [95:0] \activations$154 ;
+  wire [95:0] \activations$162 ;
+  wire [95:0] \activations$170 ;
+  wire [95:0] \activations$178 ;
+  wire [95:0] \activations$186 ;
+  wire [95:0] \activations$194 ;
+  wire [95:0] \activations$202 ;
+  wire [95:0] \activations$210 ;
+  wire [95:0] \activations$218 ;
+  wire [95:0] \activations$226 ;
+  wire [95:0] \activations$234 ;
+  wire [95:0] \activations$242 ;
+  wire [95:0] \activations$250 ;
+  wire [95:0] \activations$258 ;
+  wire [95:0] \activations$266 ;
+  wire [95:0] \activations$274 ;
+  wire [95:0] \activations$282 ;
+  wire [95:0] \activations$290 ;
+  wire [95:0] \activations$298 ;
+  wire [95:0] \activations$306 ;
+  wire [95:0] \activations$314 ;
+  wire [95:0] \activations$322 ;
+  wire [95:0] \activations$330 ;
+  wire [95:0] \activations$338 ;
+  wire [95:0] \activations$346 ;
+  wire [95:0] \activations$354 ;
+  wire [95:0] \activations$362 ;
+  wire [95:0] \activations$370 ;
+  wire [95:0] \activations$378 ;
+  wire [95:0] \activations$386 ;
+  wire [95:0] \activations$394 ;
+  wire [95:0] \activations$402 ;
+  wire [95:0] \activations$410 ;
+  wire [95:0] \activations$418 ;
+  wire [95:0] \activations$426 ;
+  wire [95:0] \activations$434 ;
+  wire [95:0] \activations$442 ;
+  wire [95:0] \activations$450 ;
+  wire [95:0] \activations$458 ;
+  wire [95:0] \activations$466 ;
+  wire [95:0] \activations$474 ;
+  wire [95:0] \activations$482 ;
+  wire [95:0] \activations$490 ;
+  wire [95:0] \activations$498 ;
+  wire [95:0] \activations$506 ;
+  wire [95:0] \activations$514 ;
+  wire [95:0] \activations$522 ;
+  wire [95:0] \activations$530 ;
+  wire [95:0] \activations$538 ;
+  wire [95:0] \activations$546 ;
+  wire [95:0] \activations$554 ;
+  wire [95:0] \activations$562 ;
+  wire [95:0] \activations$570 ;
+  wire [95:0] \activations$578 ;
   wire [95:0] \activations$586 ;
-  wire [95:0] \activations$592 ;
-  wire [95:0] \activations$598 ;
-  wire [8:0] address;
-  wire [8:0] \address$102 ;
-  wire [8:0] \address$111 ;
-  wire [8:0] \address$120 ;
-  wire [8:0] \address$129 ;
-  wire [8:0] \address$137 ;
-  wire [8:0] \address$145 ;
-  wire [8:0] \address$153 ;
-  wire [8:0] \address$161 ;
-  wire [8:0] \address$169 ;
-  wire [8:0] \address$177 ;
-  wire [8:0] \address$185 ;
-  wire [8:0] \address$193 ;
-  wire [8:0] \address$201 ;
-  wire [8:0] \address$209 ;
-  wire [8:0] \address$217 ;
-  wire [8:0] \address$225 ;
-  wire [8:0] \address$233 ;
-  wire [8:0] \address$241 ;
-  wire [8:0] \address$249 ;
-  wire [8:0] \address$257 ;
-  wire [8:0] \address$265 ;
-  wire [8:0] \address$273 ;
-  wire [8:0] \address$281 ;
-  wire [8:0] \address$289 ;
-  wire [8:0] \address$297 ;
-  wire [8:0] \address$305 ;
-  wire [8:0] \address$313 ;
-  wire [8:0] \address$321 ;
-  wire [8:0] \address$329 ;
-  wire [8:0] \address$337 ;
-  wire [8:0] \address$345 ;
-  wire [8:0] \address$353 ;
-  wire [8:0] \address$361 ;
-  wire [8:0] \address$369 ;
-  wire [8:0] \address$377 ;
-  wire [8:0] \address$385 ;
-  wire [8:0] \address$393 ;
-  wire [8:0] \address$401 ;
-  wire [8:0] \address$409 ;
-  wire [8:0] \address$417 ;
-  wire [8:0] \address$425 ;
-  wire [8:0] \address$433 ;
-  wire [8:0] \address$441 ;
-  wire [8:0] \address$449 ;
-  wire [8:0] \address$457 ;
-  wire [8:0] \address$465 ;
-  wire [8:0] \address$473 ;
-  wire [8:0] \address$481 ;
-  wire [8:0] \address$489 ;
-  wire [8:0] \address$497 ;
-  wire [8:0] \address$505 ;
-  wire [8:0] \address$513 ;
-  wire [8:0] \address$521 ;
-  wire [8:0] \address$529 ;
-  wire [8:0] \address$537 ;
-  wire [8:0] \address$545 ;
-  wire [8:0] \address$553 ;
-  wire [8:0] \address$561 ;
-  wire [8:0] \address$569 ;
-  wire [8:0] \address$577 ;
-  wire [8:0] \address$583 ;
-  wire [8:0] \address$589 ;
-  wire [8:0] \address$595 ;
+  wire [95:0] \activations$594 ;
+  wire [95:0] \activations$602 ;
+  wire [95:0] \activations$608 ;
+  wire [95:0] \activations$614 ;
+  wire [95:0] \activations$620 ;
+  wire [9:0] address;
+  wire [9:0] \address$124 ;
+  wire [9:0] \address$133 ;
+  wire [9:0] \address$142 ;
+  wire [9:0] \address$151 ;
+  wire [9:0] \address$159 ;
+  wire [9:0] \address$167 ;
+  wire [9:0] \address$175 ;
+  wire [9:0] \address$183 ;
+  wire [9:0] \address$191 ;
+  wire [9:0] \address$199 ;
+  wire [9:0] \address$207 ;
+  wire [9:0] \address$215 ;
+  wire [9:0] \address$223 ;
+  wire [9:0] \address$231 ;
+  wire [9:0] \address$239 ;
+  wire [9:0] \address$247 ;
+  wire [9:0] \address$255 ;
+  wire [9:0] \address$263 ;
+  wire [9:0] \address$271 ;
+  wire [9:0] \address$279 ;
+  wire [9:0] \address$287 ;
+  wire [9:0] \address$295 ;
+  wire [9:0] \address$303 ;
+  wire [9:0] \address$311 ;
+  wire [9:0] \address$319 ;
+  wire [9:0] \address$327 ;
+  wire [9:0] \address$335 ;
+  wire [9:0] \address$343 ;
+  wire [9:0] \address$351 ;
+  wire [9:0] \address$359 ;
+  wire [9:0] \address$367 ;
+  wire [9:0] \address$375 ;
+  wire [9:0] \address$383 ;
+  wire [9:0] \address$391 ;
+  wire [9:0] \address$399 ;
+  wire [9:0] \address$407 ;
+  wire [9:0] \address$415 ;
+  wire [9:0] \address$423 ;
+  wire [9:0] \address$431 ;
+  wire [9:0] \address$439 ;
+  wire [9:0] \address$447 ;
+  wire [9:0] \address$455 ;
+  wire [9:0] \address$463 ;
+  wire [9:0] \address$471 ;
+  wire [9:0] \address$479 ;
+  wire [9:0] \address$487 ;
+  wire [9:0] \address$495 ;
+  wire [9:0] \address$503 ;
+  wire [9:0] \address$511 ;
+  wire [9:0] \address$519 ;
+  wire [9:0] \address$527 ;
+  wire [9:0] \address$535 ;
+  wire [9:0] \address$543 ;
+  wire [9:0] \address$551 ;
+  wire [9:0] \address$559 ;
+  wire [9:0] \address$567 ;
+  wire [9:0] \address$575 ;
+  wire [9:0] \address$583 ;
+  wire [9:0] \address$591 ;
+  wire [9:0] \address$599 ;
+  wire [9:0] \address$605 ;
+  wire [9:0] \address$611 ;
+  wire [9:0] \address$617 ;
+  input [31:0] base;
+  wire [31:0] base;
   wire [15:0] beats_per_pixel;
-  wire [15:0] \beats_per_pixel$69 ;
+  wire [15:0] \beats_per_pixel$87 ;
   wire blocked;
   output busy;
   wire busy;
-  output \busy$16 ;
-  wire \busy$16 ;
+  wire \busy$24 ;
   input [31:0] c_in;
   wire [31:0] c_in;
   wire [31:0] \c_in$5 ;
@@ -501,621 +531,621 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire [31:0] c_out;
   wire [31:0] \c_out$7 ;
   wire [75:0] chain_i;
-  wire [75:0] \chain_i$109 ;
-  wire [18:0] \chain_i$109[0] ;
-  wire [18:0] \chain_i$109[1] ;
-  wire [18:0] \chain_i$109[2] ;
-  wire [18:0] \chain_i$109[3] ;
-  wire [75:0] \chain_i$118 ;
-  wire [18:0] \chain_i$118[0] ;
-  wire [18:0] \chain_i$118[1] ;
-  wire [18:0] \chain_i$118[2] ;
-  wire [18:0] \chain_i$118[3] ;
-  wire [75:0] \chain_i$127 ;
-  wire [18:0] \chain_i$127[0] ;
-  wire [18:0] \chain_i$127[1] ;
-  wire [18:0] \chain_i$127[2] ;
-  wire [18:0] \chain_i$127[3] ;
-  wire [75:0] \chain_i$135 ;
-  wire [18:0] \chain_i$135[0] ;
-  wire [18:0] \chain_i$135[1] ;
-  wire [18:0] \chain_i$135[2] ;
-  wire [18:0] \chain_i$135[3] ;
-  wire [75:0] \chain_i$143 ;
-  wire [18:0] \chain_i$143[0] ;
-  wire [18:0] \chain_i$143[1] ;
-  wire [18:0] \chain_i$143[2] ;
-  wire [18:0] \chain_i$143[3] ;
-  wire [75:0] \chain_i$151 ;
-  wire [18:0] \chain_i$151[0] ;
-  wire [18:0] \chain_i$151[1] ;
-  wire [18:0] \chain_i$151[2] ;
-  wire [18:0] \chain_i$151[3] ;
-  wire [75:0] \chain_i$159 ;
-  wire [18:0] \chain_i$159[0] ;
-  wire [18:0] \chain_i$159[1] ;
-  wire [18:0] \chain_i$159[2] ;
-  wire [18:0] \chain_i$159[3] ;
-  wire [75:0] \chain_i$167 ;
-  wire [18:0] \chain_i$167[0] ;
-  wire [18:0] \chain_i$167[1] ;
-  wire [18:0] \chain_i$167[2] ;
-  wire [18:0] \chain_i$167[3] ;
-  wire [75:0] \chain_i$175 ;
-  wire [18:0] \chain_i$175[0] ;
-  wire [18:0] \chain_i$175[1] ;
-  wire [18:0] \chain_i$175[2] ;
-  wire [18:0] \chain_i$175[3] ;
-  wire [75:0] \chain_i$183 ;
-  wire [18:0] \chain_i$183[0] ;
-  wire [18:0] \chain_i$183[1] ;
-  wire [18:0] \chain_i$183[2] ;
-  wire [18:0] \chain_i$183[3] ;
-  wire [75:0] \chain_i$191 ;
-  wire [18:0] \chain_i$191[0] ;
-  wire [18:0] \chain_i$191[1] ;
-  wire [18:0] \chain_i$191[2] ;
-  wire [18:0] \chain_i$191[3] ;
-  wire [75:0] \chain_i$199 ;
-  wire [18:0] \chain_i$199[0] ;
-  wire [18:0] \chain_i$199[1] ;
-  wire [18:0] \chain_i$199[2] ;
-  wire [18:0] \chain_i$199[3] ;
-  wire [75:0] \chain_i$207 ;
-  wire [18:0] \chain_i$207[0] ;
-  wire [18:0] \chain_i$207[1] ;
-  wire [18:0] \chain_i$207[2] ;
-  wire [18:0] \chain_i$207[3] ;
-  wire [75:0] \chain_i$215 ;
-  wire [18:0] \chain_i$215[0] ;
-  wire [18:0] \chain_i$215[1] ;
-  wire [18:0] \chain_i$215[2] ;
-  wire [18:0] \chain_i$215[3] ;
-  wire [75:0] \chain_i$223 ;
-  wire [18:0] \chain_i$223[0] ;
-  wire [18:0] \chain_i$223[1] ;
-  wire [18:0] \chain_i$223[2] ;
-  wire [18:0] \chain_i$223[3] ;
-  wire [75:0] \chain_i$231 ;
-  wire [18:0] \chain_i$231[0] ;
-  wire [18:0] \chain_i$231[1] ;
-  wire [18:0] \chain_i$231[2] ;
-  wire [18:0] \chain_i$231[3] ;
-  wire [75:0] \chain_i$239 ;
-  wire [18:0] \chain_i$239[0] ;
-  wire [18:0] \chain_i$239[1] ;
-  wire [18:0] \chain_i$239[2] ;
-  wire [18:0] \chain_i$239[3] ;
-  wire [75:0] \chain_i$247 ;
-  wire [18:0] \chain_i$247[0] ;
-  wire [18:0] \chain_i$247[1] ;
-  wire [18:0] \chain_i$247[2] ;
-  wire [18:0] \chain_i$247[3] ;
-  wire [75:0] \chain_i$255 ;
-  wire [18:0] \chain_i$255[0] ;
-  wire [18:0] \chain_i$255[1] ;
-  wire [18:0] \chain_i$255[2] ;
-  wire [18:0] \chain_i$255[3] ;
-  wire [75:0] \chain_i$263 ;
-  wire [18:0] \chain_i$263[0] ;
-  wire [18:0] \chain_i$263[1] ;
-  wire [18:0] \chain_i$263[2] ;
-  wire [18:0] \chain_i$263[3] ;
-  wire [75:0] \chain_i$271 ;
-  wire [18:0] \chain_i$271[0] ;
-  wire [18:0] \chain_i$271[1] ;
-  wire [18:0] \chain_i$271[2] ;
-  wire [18:0] \chain_i$271[3] ;
-  wire [75:0] \chain_i$279 ;
-  wire [18:0] \chain_i$279[0] ;
-  wire [18:0] \chain_i$279[1] ;
-  wire [18:0] \chain_i$279[2] ;
-  wire [18:0] \chain_i$279[3] ;
-  wire [75:0] \chain_i$287 ;
-  wire [18:0] \chain_i$287[0] ;
-  wire [18:0] \chain_i$287[1] ;
-  wire [18:0] \chain_i$287[2] ;
-  wire [18:0] \chain_i$287[3] ;
-  wire [75:0] \chain_i$295 ;
-  wire [18:0] \chain_i$295[0] ;
-  wire [18:0] \chain_i$295[1] ;
-  wire [18:0] \chain_i$295[2] ;
-  wire [18:0] \chain_i$295[3] ;
-  wire [75:0] \chain_i$303 ;
-  wire [18:0] \chain_i$303[0] ;
-  wire [18:0] \chain_i$303[1] ;
-  wire [18:0] \chain_i$303[2] ;
-  wire [18:0] \chain_i$303[3] ;
-  wire [75:0] \chain_i$311 ;
-  wire [18:0] \chain_i$311[0] ;
-  wire [18:0] \chain_i$311[1] ;
-  wire [18:0] \chain_i$311[2] ;
-  wire [18:0] \chain_i$311[3] ;
-  wire [75:0] \chain_i$319 ;
-  wire [18:0] \chain_i$319[0] ;
-  wire [18:0] \chain_i$319[1] ;
-  wire [18:0] \chain_i$319[2] ;
-  wire [18:0] \chain_i$319[3] ;
-  wire [75:0] \chain_i$327 ;
-  wire [18:0] \chain_i$327[0] ;
-  wire [18:0] \chain_i$327[1] ;
-  wire [18:0] \chain_i$327[2] ;
-  wire [18:0] \chain_i$327[3] ;
-  wire [75:0] \chain_i$335 ;
-  wire [18:0] \chain_i$335[0] ;
-  wire [18:0] \chain_i$335[1] ;
-  wire [18:0] \chain_i$335[2] ;
-  wire [18:0] \chain_i$335[3] ;
-  wire [75:0] \chain_i$343 ;
-  wire [18:0] \chain_i$343[0] ;
-  wire [18:0] \chain_i$343[1] ;
-  wire [18:0] \chain_i$343[2] ;
-  wire [18:0] \chain_i$343[3] ;
-  wire [75:0] \chain_i$351 ;
-  wire [18:0] \chain_i$351[0] ;
-  wire [18:0] \chain_i$351[1] ;
-  wire [18:0] \chain_i$351[2] ;
-  wire [18:0] \chain_i$351[3] ;
-  wire [75:0] \chain_i$359 ;
-  wire [18:0] \chain_i$359[0] ;
-  wire [18:0] \chain_i$359[1] ;
-  wire [18:0] \chain_i$359[2] ;
-  wire [18:0] \chain_i$359[3] ;
-  wire [75:0] \chain_i$367 ;
-  wire [18:0] \chain_i$367[0] ;
-  wire [18:0] \chain_i$367[1] ;
-  wire [18:0] \chain_i$367[2] ;
-  wire [18:0] \chain_i$367[3] ;
-  wire [75:0] \chain_i$375 ;
-  wire [18:0] \chain_i$375[0] ;
-  wire [18:0] \chain_i$375[1] ;
-  wire [18:0] \chain_i$375[2] ;
-  wire [18:0] \chain_i$375[3] ;
-  wire [75:0] \chain_i$383 ;
-  wire [18:0] \chain_i$383[0] ;
-  wire [18:0] \chain_i$383[1] ;
-  wire [18:0] \chain_i$383[2] ;
-  wire [18:0] \chain_i$383[3] ;
-  wire [75:0] \chain_i$391 ;
-  wire [18:0] \chain_i$391[0] ;
-  wire [18:0] \chain_i$391[1] ;
-  wire [18:0] \chain_i$391[2] ;
-  wire [18:0] \chain_i$391[3] ;
-  wire [75:0] \chain_i$399 ;
-  wire [18:0] \chain_i$399[0] ;
-  wire [18:0] \chain_i$399[1] ;
-  wire [18:0] \chain_i$399[2] ;
-  wire [18:0] \chain_i$399[3] ;
-  wire [75:0] \chain_i$407 ;
-  wire [18:0] \chain_i$407[0] ;
-  wire [18:0] \chain_i$407[1] ;
-  wire [18:0] \chain_i$407[2] ;
-  wire [18:0] \chain_i$407[3] ;
-  wire [75:0] \chain_i$415 ;
-  wire [18:0] \chain_i$415[0] ;
-  wire [18:0] \chain_i$415[1] ;
-  wire [18:0] \chain_i$415[2] ;
-  wire [18:0] \chain_i$415[3] ;
-  wire [75:0] \chain_i$423 ;
-  wire [18:0] \chain_i$423[0] ;
-  wire [18:0] \chain_i$423[1] ;
-  wire [18:0] \chain_i$423[2] ;
-  wire [18:0] \chain_i$423[3] ;
-  wire [75:0] \chain_i$431 ;
-  wire [18:0] \chain_i$431[0] ;
-  wire [18:0] \chain_i$431[1] ;
-  wire [18:0] \chain_i$431[2] ;
-  wire [18:0] \chain_i$431[3] ;
-  wire [75:0] \chain_i$439 ;
-  wire [18:0] \chain_i$439[0] ;
-  wire [18:0] \chain_i$439[1] ;
-  wire [18:0] \chain_i$439[2] ;
-  wire [18:0] \chain_i$439[3] ;
-  wire [75:0] \chain_i$447 ;
-  wire [18:0] \chain_i$447[0] ;
-  wire [18:0] \chain_i$447[1] ;
-  wire [18:0] \chain_i$447[2] ;
-  wire [18:0] \chain_i$447[3] ;
-  wire [75:0] \chain_i$455 ;
-  wire [18:0] \chain_i$455[0] ;
-  wire [18:0] \chain_i$455[1] ;
-  wire [18:0] \chain_i$455[2] ;
-  wire [18:0] \chain_i$455[3] ;
-  wire [75:0] \chain_i$463 ;
-  wire [18:0] \chain_i$463[0] ;
-  wire [18:0] \chain_i$463[1] ;
-  wire [18:0] \chain_i$463[2] ;
-  wire [18:0] \chain_i$463[3] ;
-  wire [75:0] \chain_i$471 ;
-  wire [18:0] \chain_i$471[0] ;
-  wire [18:0] \chain_i$471[1] ;
-  wire [18:0] \chain_i$471[2] ;
-  wire [18:0] \chain_i$471[3] ;
-  wire [75:0] \chain_i$479 ;
-  wire [18:0] \chain_i$479[0] ;
-  wire [18:0] \chain_i$479[1] ;
-  wire [18:0] \chain_i$479[2] ;
-  wire [18:0] \chain_i$479[3] ;
-  wire [75:0] \chain_i$487 ;
-  wire [18:0] \chain_i$487[0] ;
-  wire [18:0] \chain_i$487[1] ;
-  wire [18:0] \chain_i$487[2] ;
-  wire [18:0] \chain_i$487[3] ;
-  wire [75:0] \chain_i$495 ;
-  wire [18:0] \chain_i$495[0] ;
-  wire [18:0] \chain_i$495[1] ;
-  wire [18:0] \chain_i$495[2] ;
-  wire [18:0] \chain_i$495[3] ;
-  wire [75:0] \chain_i$503 ;
-  wire [18:0] \chain_i$503[0] ;
-  wire [18:0] \chain_i$503[1] ;
-  wire [18:0] \chain_i$503[2] ;
-  wire [18:0] \chain_i$503[3] ;
-  wire [75:0] \chain_i$511 ;
-  wire [18:0] \chain_i$511[0] ;
-  wire [18:0] \chain_i$511[1] ;
-  wire [18:0] \chain_i$511[2] ;
-  wire [18:0] \chain_i$511[3] ;
-  wire [75:0] \chain_i$519 ;
-  wire [18:0] \chain_i$519[0] ;
-  wire [18:0] \chain_i$519[1] ;
-  wire [18:0] \chain_i$519[2] ;
-  wire [18:0] \chain_i$519[3] ;
-  wire [75:0] \chain_i$527 ;
-  wire [18:0] \chain_i$527[0] ;
-  wire [18:0] \chain_i$527[1] ;
-  wire [18:0] \chain_i$527[2] ;
-  wire [18:0] \chain_i$527[3] ;
-  wire [75:0] \chain_i$535 ;
-  wire [18:0] \chain_i$535[0] ;
-  wire [18:0] \chain_i$535[1] ;
-  wire [18:0] \chain_i$535[2] ;
-  wire [18:0] \chain_i$535[3] ;
-  wire [75:0] \chain_i$543 ;
-  wire [18:0] \chain_i$543[0] ;
-  wire [18:0] \chain_i$543[1] ;
-  wire [18:0] \chain_i$543[2] ;
-  wire [18:0] \chain_i$543[3] ;
-  wire [75:0] \chain_i$551 ;
-  wire [18:0] \chain_i$551[0] ;
-  wire [18:0] \chain_i$551[1] ;
-  wire [18:0] \chain_i$551[2] ;
-  wire [18:0] \chain_i$551[3] ;
-  wire [75:0] \chain_i$559 ;
-  wire [18:0] \chain_i$559[0] ;
-  wire [18:0] \chain_i$559[1] ;
-  wire [18:0] \chain_i$559[2] ;
-  wire [18:0] \chain_i$559[3] ;
-  wire [75:0] \chain_i$567 ;
-  wire [18:0] \chain_i$567[0] ;
-  wire [18:0] \chain_i$567[1] ;
-  wire [18:0] \chain_i$567[2] ;
-  wire [18:0] \chain_i$567[3] ;
-  wire [75:0] \chain_i$575 ;
-  wire [18:0] \chain_i$575[0] ;
-  wire [18:0] \chain_i$575[1] ;
-  wire [18:0] \chain_i$575[2] ;
-  wire [18:0] \chain_i$575[3] ;
+  wire [75:0] \chain_i$131 ;
+  wire [18:0] \chain_i$131[0] ;
+  wire [18:0] \chain_i$131[1] ;
+  wire [18:0] \chain_i$131[2] ;
+  wire [18:0] \chain_i$131[3] ;
+  wire [75:0] \chain_i$140 ;
+  wire [18:0] \chain_i$140[0] ;
+  wire [18:0] \chain_i$140[1] ;
+  wire [18:0] \chain_i$140[2] ;
+  wire [18:0] \chain_i$140[3] ;
+  wire [75:0] \chain_i$149 ;
+  wire [18:0] \chain_i$149[0] ;
+  wire [18:0] \chain_i$149[1] ;
+  wire [18:0] \chain_i$149[2] ;
+  wire [18:0] \chain_i$149[3] ;
+  wire [75:0] \chain_i$157 ;
+  wire [18:0] \chain_i$157[0] ;
+  wire [18:0] \chain_i$157[1] ;
+  wire [18:0] \chain_i$157[2] ;
+  wire [18:0] \chain_i$157[3] ;
+  wire [75:0] \chain_i$165 ;
+  wire [18:0] \chain_i$165[0] ;
+  wire [18:0] \chain_i$165[1] ;
+  wire [18:0] \chain_i$165[2] ;
+  wire [18:0] \chain_i$165[3] ;
+  wire [75:0] \chain_i$173 ;
+  wire [18:0] \chain_i$173[0] ;
+  wire [18:0] \chain_i$173[1] ;
+  wire [18:0] \chain_i$173[2] ;
+  wire [18:0] \chain_i$173[3] ;
+  wire [75:0] \chain_i$181 ;
+  wire [18:0] \chain_i$181[0] ;
+  wire [18:0] \chain_i$181[1] ;
+  wire [18:0] \chain_i$181[2] ;
+  wire [18:0] \chain_i$181[3] ;
+  wire [75:0] \chain_i$189 ;
+  wire [18:0] \chain_i$189[0] ;
+  wire [18:0] \chain_i$189[1] ;
+  wire [18:0] \chain_i$189[2] ;
+  wire [18:0] \chain_i$189[3] ;
+  wire [75:0] \chain_i$197 ;
+  wire [18:0] \chain_i$197[0] ;
+  wire [18:0] \chain_i$197[1] ;
+  wire [18:0] \chain_i$197[2] ;
+  wire [18:0] \chain_i$197[3] ;
+  wire [75:0] \chain_i$205 ;
+  wire [18:0] \chain_i$205[0] ;
+  wire [18:0] \chain_i$205[1] ;
+  wire [18:0] \chain_i$205[2] ;
+  wire [18:0] \chain_i$205[3] ;
+  wire [75:0] \chain_i$213 ;
+  wire [18:0] \chain_i$213[0] ;
+  wire [18:0] \chain_i$213[1] ;
+  wire [18:0] \chain_i$213[2] ;
+  wire [18:0] \chain_i$213[3] ;
+  wire [75:0] \chain_i$221 ;
+  wire [18:0] \chain_i$221[0] ;
+  wire [18:0] \chain_i$221[1] ;
+  wire [18:0] \chain_i$221[2] ;
+  wire [18:0] \chain_i$221[3] ;
+  wire [75:0] \chain_i$229 ;
+  wire [18:0] \chain_i$229[0] ;
+  wire [18:0] \chain_i$229[1] ;
+  wire [18:0] \chain_i$229[2] ;
+  wire [18:0] \chain_i$229[3] ;
+  wire [75:0] \chain_i$237 ;
+  wire [18:0] \chain_i$237[0] ;
+  wire [18:0] \chain_i$237[1] ;
+  wire [18:0] \chain_i$237[2] ;
+  wire [18:0] \chain_i$237[3] ;
+  wire [75:0] \chain_i$245 ;
+  wire [18:0] \chain_i$245[0] ;
+  wire [18:0] \chain_i$245[1] ;
+  wire [18:0] \chain_i$245[2] ;
+  wire [18:0] \chain_i$245[3] ;
+  wire [75:0] \chain_i$253 ;
+  wire [18:0] \chain_i$253[0] ;
+  wire [18:0] \chain_i$253[1] ;
+  wire [18:0] \chain_i$253[2] ;
+  wire [18:0] \chain_i$253[3] ;
+  wire [75:0] \chain_i$261 ;
+  wire [18:0] \chain_i$261[0] ;
+  wire [18:0] \chain_i$261[1] ;
+  wire [18:0] \chain_i$261[2] ;
+  wire [18:0] \chain_i$261[3] ;
+  wire [75:0] \chain_i$269 ;
+  wire [18:0] \chain_i$269[0] ;
+  wire [18:0] \chain_i$269[1] ;
+  wire [18:0] \chain_i$269[2] ;
+  wire [18:0] \chain_i$269[3] ;
+  wire [75:0] \chain_i$277 ;
+  wire [18:0] \chain_i$277[0] ;
+  wire [18:0] \chain_i$277[1] ;
+  wire [18:0] \chain_i$277[2] ;
+  wire [18:0] \chain_i$277[3] ;
+  wire [75:0] \chain_i$285 ;
+  wire [18:0] \chain_i$285[0] ;
+  wire [18:0] \chain_i$285[1] ;
+  wire [18:0] \chain_i$285[2] ;
+  wire [18:0] \chain_i$285[3] ;
+  wire [75:0] \chain_i$293 ;
+  wire [18:0] \chain_i$293[0] ;
+  wire [18:0] \chain_i$293[1] ;
+  wire [18:0] \chain_i$293[2] ;
+  wire [18:0] \chain_i$293[3] ;
+  wire [75:0] \chain_i$301 ;
+  wire [18:0] \chain_i$301[0] ;
+  wire [18:0] \chain_i$301[1] ;
+  wire [18:0] \chain_i$301[2] ;
+  wire [18:0] \chain_i$301[3] ;
+  wire [75:0] \chain_i$309 ;
+  wire [18:0] \chain_i$309[0] ;
+  wire [18:0] \chain_i$309[1] ;
+  wire [18:0] \chain_i$309[2] ;
+  wire [18:0] \chain_i$309[3] ;
+  wire [75:0] \chain_i$317 ;
+  wire [18:0] \chain_i$317[0] ;
+  wire [18:0] \chain_i$317[1] ;
+  wire [18:0] \chain_i$317[2] ;
+  wire [18:0] \chain_i$317[3] ;
+  wire [75:0] \chain_i$325 ;
+  wire [18:0] \chain_i$325[0] ;
+  wire [18:0] \chain_i$325[1] ;
+  wire [18:0] \chain_i$325[2] ;
+  wire [18:0] \chain_i$325[3] ;
+  wire [75:0] \chain_i$333 ;
+  wire [18:0] \chain_i$333[0] ;
+  wire [18:0] \chain_i$333[1] ;
+  wire [18:0] \chain_i$333[2] ;
+  wire [18:0] \chain_i$333[3] ;
+  wire [75:0] \chain_i$341 ;
+  wire [18:0] \chain_i$341[0] ;
+  wire [18:0] \chain_i$341[1] ;
+  wire [18:0] \chain_i$341[2] ;
+  wire [18:0] \chain_i$341[3] ;
+  wire [75:0] \chain_i$349 ;
+  wire [18:0] \chain_i$349[0] ;
+  wire [18:0] \chain_i$349[1] ;
+  wire [18:0] \chain_i$349[2] ;
+  wire [18:0] \chain_i$349[3] ;
+  wire [75:0] \chain_i$357 ;
+  wire [18:0] \chain_i$357[0] ;
+  wire [18:0] \chain_i$357[1] ;
+  wire [18:0] \chain_i$357[2] ;
+  wire [18:0] \chain_i$357[3] ;
+  wire [75:0] \chain_i$365 ;
+  wire [18:0] \chain_i$365[0] ;
+  wire [18:0] \chain_i$365[1] ;
+  wire [18:0] \chain_i$365[2] ;
+  wire [18:0] \chain_i$365[3] ;
+  wire [75:0] \chain_i$373 ;
+  wire [18:0] \chain_i$373[0] ;
+  wire [18:0] \chain_i$373[1] ;
+  wire [18:0] \chain_i$373[2] ;
+  wire [18:0] \chain_i$373[3] ;
+  wire [75:0] \chain_i$381 ;
+  wire [18:0] \chain_i$381[0] ;
+  wire [18:0] \chain_i$381[1] ;
+  wire [18:0] \chain_i$381[2] ;
+  wire [18:0] \chain_i$381[3] ;
+  wire [75:0] \chain_i$389 ;
+  wire [18:0] \chain_i$389[0] ;
+  wire [18:0] \chain_i$389[1] ;
+  wire [18:0] \chain_i$389[2] ;
+  wire [18:0] \chain_i$389[3] ;
+  wire [75:0] \chain_i$397 ;
+  wire [18:0] \chain_i$397[0] ;
+  wire [18:0] \chain_i$397[1] ;
+  wire [18:0] \chain_i$397[2] ;
+  wire [18:0] \chain_i$397[3] ;
+  wire [75:0] \chain_i$405 ;
+  wire [18:0] \chain_i$405[0] ;
+  wire [18:0] \chain_i$405[1] ;
+  wire [18:0] \chain_i$405[2] ;
+  wire [18:0] \chain_i$405[3] ;
+  wire [75:0] \chain_i$413 ;
+  wire [18:0] \chain_i$413[0] ;
+  wire [18:0] \chain_i$413[1] ;
+  wire [18:0] \chain_i$413[2] ;
+  wire [18:0] \chain_i$413[3] ;
+  wire [75:0] \chain_i$421 ;
+  wire [18:0] \chain_i$421[0] ;
+  wire [18:0] \chain_i$421[1] ;
+  wire [18:0] \chain_i$421[2] ;
+  wire [18:0] \chain_i$421[3] ;
+  wire [75:0] \chain_i$429 ;
+  wire [18:0] \chain_i$429[0] ;
+  wire [18:0] \chain_i$429[1] ;
+  wire [18:0] \chain_i$429[2] ;
+  wire [18:0] \chain_i$429[3] ;
+  wire [75:0] \chain_i$437 ;
+  wire [18:0] \chain_i$437[0] ;
+  wire [18:0] \chain_i$437[1] ;
+  wire [18:0] \chain_i$437[2] ;
+  wire [18:0] \chain_i$437[3] ;
+  wire [75:0] \chain_i$445 ;
+  wire [18:0] \chain_i$445[0] ;
+  wire [18:0] \chain_i$445[1] ;
+  wire [18:0] \chain_i$445[2] ;
+  wire [18:0] \chain_i$445[3] ;
+  wire [75:0] \chain_i$453 ;
+  wire [18:0] \chain_i$453[0] ;
+  wire [18:0] \chain_i$453[1] ;
+  wire [18:0] \chain_i$453[2] ;
+  wire [18:0] \chain_i$453[3] ;
+  wire [75:0] \chain_i$461 ;
+  wire [18:0] \chain_i$461[0] ;
+  wire [18:0] \chain_i$461[1] ;
+  wire [18:0] \chain_i$461[2] ;
+  wire [18:0] \chain_i$461[3] ;
+  wire [75:0] \chain_i$469 ;
+  wire [18:0] \chain_i$469[0] ;
+  wire [18:0] \chain_i$469[1] ;
+  wire [18:0] \chain_i$469[2] ;
+  wire [18:0] \chain_i$469[3] ;
+  wire [75:0] \chain_i$477 ;
+  wire [18:0] \chain_i$477[0] ;
+  wire [18:0] \chain_i$477[1] ;
+  wire [18:0] \chain_i$477[2] ;
+  wire [18:0] \chain_i$477[3] ;
+  wire [75:0] \chain_i$485 ;
+  wire [18:0] \chain_i$485[0] ;
+  wire [18:0] \chain_i$485[1] ;
+  wire [18:0] \chain_i$485[2] ;
+  wire [18:0] \chain_i$485[3] ;
+  wire [75:0] \chain_i$493 ;
+  wire [18:0] \chain_i$493[0] ;
+  wire [18:0] \chain_i$493[1] ;
+  wire [18:0] \chain_i$493[2] ;
+  wire [18:0] \chain_i$493[3] ;
+  wire [75:0] \chain_i$501 ;
+  wire [18:0] \chain_i$501[0] ;
+  wire [18:0] \chain_i$501[1] ;
+  wire [18:0] \chain_i$501[2] ;
+  wire [18:0] \chain_i$501[3] ;
+  wire [75:0] \chain_i$509 ;
+  wire [18:0] \chain_i$509[0] ;
+  wire [18:0] \chain_i$509[1] ;
+  wire [18:0] \chain_i$509[2] ;
+  wire [18:0] \chain_i$509[3] ;
+  wire [75:0] \chain_i$517 ;
+  wire [18:0] \chain_i$517[0] ;
+  wire [18:0] \chain_i$517[1] ;
+  wire [18:0] \chain_i$517[2] ;
+  wire [18:0] \chain_i$517[3] ;
+  wire [75:0] \chain_i$525 ;
+  wire [18:0] \chain_i$525[0] ;
+  wire [18:0] \chain_i$525[1] ;
+  wire [18:0] \chain_i$525[2] ;
+  wire [18:0] \chain_i$525[3] ;
+  wire [75:0] \chain_i$533 ;
+  wire [18:0] \chain_i$533[0] ;
+  wire [18:0] \chain_i$533[1] ;
+  wire [18:0] \chain_i$533[2] ;
+  wire [18:0] \chain_i$533[3] ;
+  wire [75:0] \chain_i$541 ;
+  wire [18:0] \chain_i$541[0] ;
+  wire [18:0] \chain_i$541[1] ;
+  wire [18:0] \chain_i$541[2] ;
+  wire [18:0] \chain_i$541[3] ;
+  wire [75:0] \chain_i$549 ;
+  wire [18:0] \chain_i$549[0] ;
+  wire [18:0] \chain_i$549[1] ;
+  wire [18:0] \chain_i$549[2] ;
+  wire [18:0] \chain_i$549[3] ;
+  wire [75:0] \chain_i$557 ;
+  wire [18:0] \chain_i$557[0] ;
+  wire [18:0] \chain_i$557[1] ;
+  wire [18:0] \chain_i$557[2] ;
+  wire [18:0] \chain_i$557[3] ;
+  wire [75:0] \chain_i$565 ;
+  wire [18:0] \chain_i$565[0] ;
+  wire [18:0] \chain_i$565[1] ;
+  wire [18:0] \chain_i$565[2] ;
+  wire [18:0] \chain_i$565[3] ;
+  wire [75:0] \chain_i$573 ;
+  wire [18:0] \chain_i$573[0] ;
+  wire [18:0] \chain_i$573[1] ;
+  wire [18:0] \chain_i$573[2] ;
+  wire [18:0] \chain_i$573[3] ;
+  wire [75:0] \chain_i$581 ;
+  wire [18:0] \chain_i$581[0] ;
+  wire [18:0] \chain_i$581[1] ;
+  wire [18:0] \chain_i$581[2] ;
+  wire [18:0] \chain_i$581[3] ;
+  wire [75:0] \chain_i$589 ;
+  wire [18:0] \chain_i$589[0] ;
+  wire [18:0] \chain_i$589[1] ;
+  wire [18:0] \chain_i$589[2] ;
+  wire [18:0] \chain_i$589[3] ;
+  wire [75:0] \chain_i$597 ;
+  wire [18:0] \chain_i$597[0] ;
+  wire [18:0] \chain_i$597[1] ;
+  wire [18:0] \chain_i$597[2] ;
+  wire [18:0] \chain_i$597[3] ;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
   wire [18:0] \chain_i[2] ;
   wire [18:0] \chain_i[3] ;
   wire [75:0] chain_o;
-  wire [75:0] \chain_o$101 ;
-  wire [18:0] \chain_o$101[0] ;
-  wire [18:0] \chain_o$101[1] ;
-  wire [18:0] \chain_o$101[2] ;
-  wire [18:0] \chain_o$101[3] ;
-  wire [75:0] \chain_o$108 ;
-  wire [18:0] \chain_o$108[0] ;
-  wire [18:0] \chain_o$108[1] ;
-  wire [18:0] \chain_o$108[2] ;
-  wire [18:0] \chain_o$108[3] ;
-  wire [75:0] \chain_o$110 ;
-  wire [18:0] \chain_o$110[0] ;
-  wire [18:0] \chain_o$110[1] ;
-  wire [18:0] \chain_o$110[2] ;
-  wire [18:0] \chain_o$110[3] ;
-  wire [75:0] \chain_o$117 ;
-  wire [18:0] \chain_o$117[0] ;
-  wire [18:0] \chain_o$117[1] ;
-  wire [18:0] \chain_o$117[2] ;
-  wire [18:0] \chain_o$117[3] ;
-  wire [75:0] \chain_o$119 ;
-  wire [18:0] \chain_o$119[0] ;
-  wire [18:0] \chain_o$119[1] ;
-  wire [18:0] \chain_o$119[2] ;
-  wire [18:0] \chain_o$119[3] ;
-  wire [75:0] \chain_o$126 ;
-  wire [18:0] \chain_o$126[0] ;
-  wire [18:0] \chain_o$126[1] ;
-  wire [18:0] \chain_o$126[2] ;
-  wire [18:0] \chain_o$126[3] ;
-  wire [75:0] \chain_o$128 ;
-  wire [18:0] \chain_o$128[0] ;
-  wire [18:0] \chain_o$128[1] ;
-  wire [18:0] \chain_o$128[2] ;
-  wire [18:0] \chain_o$128[3] ;
-  wire [75:0] \chain_o$136 ;
-  wire [18:0] \chain_o$136[0] ;
-  wire [18:0] \chain_o$136[1] ;
-  wire [18:0] \chain_o$136[2] ;
-  wire [18:0] \chain_o$136[3] ;
-  wire [75:0] \chain_o$144 ;
-  wire [18:0] \chain_o$144[0] ;
-  wire [18:0] \chain_o$144[1] ;
-  wire [18:0] \chain_o$144[2] ;
-  wire [18:0] \chain_o$144[3] ;
-  wire [75:0] \chain_o$152 ;
-  wire [18:0] \chain_o$152[0] ;
-  wire [18:0] \chain_o$152[1] ;
-  wire [18:0] \chain_o$152[2] ;
-  wire [18:0] \chain_o$152[3] ;
-  wire [75:0] \chain_o$160 ;
-  wire [18:0] \chain_o$160[0] ;
-  wire [18:0] \chain_o$160[1] ;
-  wire [18:0] \chain_o$160[2] ;
-  wire [18:0] \chain_o$160[3] ;
-  wire [75:0] \chain_o$168 ;
-  wire [18:0] \chain_o$168[0] ;
-  wire [18:0] \chain_o$168[1] ;
-  wire [18:0] \chain_o$168[2] ;
-  wire [18:0] \chain_o$168[3] ;
-  wire [75:0] \chain_o$176 ;
-  wire [18:0] \chain_o$176[0] ;
-  wire [18:0] \chain_o$176[1] ;
-  wire [18:0] \chain_o$176[2] ;
-  wire [18:0] \chain_o$176[3] ;
-  wire [75:0] \chain_o$184 ;
-  wire [18:0] \chain_o$184[0] ;
-  wire [18:0] \chain_o$184[1] ;
-  wire [18:0] \chain_o$184[2] ;
-  wire [18:0] \chain_o$184[3] ;
-  wire [75:0] \chain_o$192 ;
-  wire [18:0] \chain_o$192[0] ;
-  wire [18:0] \chain_o$192[1] ;
-  wire [18:0] \chain_o$192[2] ;
-  wire [18:0] \chain_o$192[3] ;
-  wire [75:0] \chain_o$200 ;
-  wire [18:0] \chain_o$200[0] ;
-  wire [18:0] \chain_o$200[1] ;
-  wire [18:0] \chain_o$200[2] ;
-  wire [18:0] \chain_o$200[3] ;
-  wire [75:0] \chain_o$208 ;
-  wire [18:0] \chain_o$208[0] ;
-  wire [18:0] \chain_o$208[1] ;
-  wire [18:0] \chain_o$208[2] ;
-  wire [18:0] \chain_o$208[3] ;
-  wire [75:0] \chain_o$216 ;
-  wire [18:0] \chain_o$216[0] ;
-  wire [18:0] \chain_o$216[1] ;
-  wire [18:0] \chain_o$216[2] ;
-  wire [18:0] \chain_o$216[3] ;
-  wire [75:0] \chain_o$224 ;
-  wire [18:0] \chain_o$224[0] ;
-  wire [18:0] \chain_o$224[1] ;
-  wire [18:0] \chain_o$224[2] ;
-  wire [18:0] \chain_o$224[3] ;
-  wire [75:0] \chain_o$232 ;
-  wire [18:0] \chain_o$232[0] ;
-  wire [18:0] \chain_o$232[1] ;
-  wire [18:0] \chain_o$232[2] ;
-  wire [18:0] \chain_o$232[3] ;
-  wire [75:0] \chain_o$240 ;
-  wire [18:0] \chain_o$240[0] ;
-  wire [18:0] \chain_o$240[1] ;
-  wire [18:0] \chain_o$240[2] ;
-  wire [18:0] \chain_o$240[3] ;
-  wire [75:0] \chain_o$248 ;
-  wire [18:0] \chain_o$248[0] ;
-  wire [18:0] \chain_o$248[1] ;
-  wire [18:0] \chain_o$248[2] ;
-  wire [18:0] \chain_o$248[3] ;
-  wire [75:0] \chain_o$256 ;
-  wire [18:0] \chain_o$256[0] ;
-  wire [18:0] \chain_o$256[1] ;
-  wire [18:0] \chain_o$256[2] ;
-  wire [18:0] \chain_o$256[3] ;
-  wire [75:0] \chain_o$264 ;
-  wire [18:0] \chain_o$264[0] ;
-  wire [18:0] \chain_o$264[1] ;
-  wire [18:0] \chain_o$264[2] ;
-  wire [18:0] \chain_o$264[3] ;
-  wire [75:0] \chain_o$272 ;
-  wire [18:0] \chain_o$272[0] ;
-  wire [18:0] \chain_o$272[1] ;
-  wire [18:0] \chain_o$272[2] ;
-  wire [18:0] \chain_o$272[3] ;
-  wire [75:0] \chain_o$280 ;
-  wire [18:0] \chain_o$280[0] ;
-  wire [18:0] \chain_o$280[1] ;
-  wire [18:0] \chain_o$280[2] ;
-  wire [18:0] \chain_o$280[3] ;
-  wire [75:0] \chain_o$288 ;
-  wire [18:0] \chain_o$288[0] ;
-  wire [18:0] \chain_o$288[1] ;
-  wire [18:0] \chain_o$288[2] ;
-  wire [18:0] \chain_o$288[3] ;
-  wire [75:0] \chain_o$296 ;
-  wire [18:0] \chain_o$296[0] ;
-  wire [18:0] \chain_o$296[1] ;
-  wire [18:0] \chain_o$296[2] ;
-  wire [18:0] \chain_o$296[3] ;
-  wire [75:0] \chain_o$304 ;
-  wire [18:0] \chain_o$304[0] ;
-  wire [18:0] \chain_o$304[1] ;
-  wire [18:0] \chain_o$304[2] ;
-  wire [18:0] \chain_o$304[3] ;
-  wire [75:0] \chain_o$312 ;
-  wire [18:0] \chain_o$312[0] ;
-  wire [18:0] \chain_o$312[1] ;
-  wire [18:0] \chain_o$312[2] ;
-  wire [18:0] \chain_o$312[3] ;
-  wire [75:0] \chain_o$320 ;
-  wire [18:0] \chain_o$320[0] ;
-  wire [18:0] \chain_o$320[1] ;
-  wire [18:0] \chain_o$320[2] ;
-  wire [18:0] \chain_o$320[3] ;
-  wire [75:0] \chain_o$328 ;
-  wire [18:0] \chain_o$328[0] ;
-  wire [18:0] \chain_o$328[1] ;
-  wire [18:0] \chain_o$328[2] ;
-  wire [18:0] \chain_o$328[3] ;
-  wire [75:0] \chain_o$336 ;
-  wire [18:0] \chain_o$336[0] ;
-  wire [18:0] \chain_o$336[1] ;
-  wire [18:0] \chain_o$336[2] ;
-  wire [18:0] \chain_o$336[3] ;
-  wire [75:0] \chain_o$344 ;
-  wire [18:0] \chain_o$344[0] ;
-  wire [18:0] \chain_o$344[1] ;
-  wire [18:0] \chain_o$344[2] ;
-  wire [18:0] \chain_o$344[3] ;
-  wire [75:0] \chain_o$352 ;
-  wire [18:0] \chain_o$352[0] ;
-  wire [18:0] \chain_o$352[1] ;
-  wire [18:0] \chain_o$352[2] ;
-  wire [18:0] \chain_o$352[3] ;
-  wire [75:0] \chain_o$360 ;
-  wire [18:0] \chain_o$360[0] ;
-  wire [18:0] \chain_o$360[1] ;
-  wire [18:0] \chain_o$360[2] ;
-  wire [18:0] \chain_o$360[3] ;
-  wire [75:0] \chain_o$368 ;
-  wire [18:0] \chain_o$368[0] ;
-  wire [18:0] \chain_o$368[1] ;
-  wire [18:0] \chain_o$368[2] ;
-  wire [18:0] \chain_o$368[3] ;
-  wire [75:0] \chain_o$376 ;
-  wire [18:0] \chain_o$376[0] ;
-  wire [18:0] \chain_o$376[1] ;
-  wire [18:0] \chain_o$376[2] ;
-  wire [18:0] \chain_o$376[3] ;
-  wire [75:0] \chain_o$384 ;
-  wire [18:0] \chain_o$384[0] ;
-  wire [18:0] \chain_o$384[1] ;
-  wire [18:0] \chain_o$384[2] ;
-  wire [18:0] \chain_o$384[3] ;
-  wire [75:0] \chain_o$392 ;
-  wire [18:0] \chain_o$392[0] ;
-  wire [18:0] \chain_o$392[1] ;
-  wire [18:0] \chain_o$392[2] ;
-  wire [18:0] \chain_o$392[3] ;
-  wire [75:0] \chain_o$400 ;
-  wire [18:0] \chain_o$400[0] ;
-  wire [18:0] \chain_o$400[1] ;
-  wire [18:0] \chain_o$400[2] ;
-  wire [18:0] \chain_o$400[3] ;
-  wire [75:0] \chain_o$408 ;
-  wire [18:0] \chain_o$408[0] ;
-  wire [18:0] \chain_o$408[1] ;
-  wire [18:0] \chain_o$408[2] ;
-  wire [18:0] \chain_o$408[3] ;
-  wire [75:0] \chain_o$416 ;
-  wire [18:0] \chain_o$416[0] ;
-  wire [18:0] \chain_o$416[1] ;
-  wire [18:0] \chain_o$416[2] ;
-  wire [18:0] \chain_o$416[3] ;
-  wire [75:0] \chain_o$424 ;
-  wire [18:0] \chain_o$424[0] ;
-  wire [18:0] \chain_o$424[1] ;
-  wire [18:0] \chain_o$424[2] ;
-  wire [18:0] \chain_o$424[3] ;
-  wire [75:0] \chain_o$432 ;
-  wire [18:0] \chain_o$432[0] ;
-  wire [18:0] \chain_o$432[1] ;
-  wire [18:0] \chain_o$432[2] ;
-  wire [18:0] \chain_o$432[3] ;
-  wire [75:0] \chain_o$440 ;
-  wire [18:0] \chain_o$440[0] ;
-  wire [18:0] \chain_o$440[1] ;
-  wire [18:0] \chain_o$440[2] ;
-  wire [18:0] \chain_o$440[3] ;
-  wire [75:0] \chain_o$448 ;
-  wire [18:0] \chain_o$448[0] ;
-  wire [18:0] \chain_o$448[1] ;
-  wire [18:0] \chain_o$448[2] ;
-  wire [18:0] \chain_o$448[3] ;
-  wire [75:0] \chain_o$456 ;
-  wire [18:0] \chain_o$456[0] ;
-  wire [18:0] \chain_o$456[1] ;
-  wire [18:0] \chain_o$456[2] ;
-  wire [18:0] \chain_o$456[3] ;
-  wire [75:0] \chain_o$464 ;
-  wire [18:0] \chain_o$464[0] ;
-  wire [18:0] \chain_o$464[1] ;
-  wire [18:0] \chain_o$464[2] ;
-  wire [18:0] \chain_o$464[3] ;
-  wire [75:0] \chain_o$472 ;
-  wire [18:0] \chain_o$472[0] ;
-  wire [18:0] \chain_o$472[1] ;
-  wire [18:0] \chain_o$472[2] ;
-  wire [18:0] \chain_o$472[3] ;
-  wire [75:0] \chain_o$480 ;
-  wire [18:0] \chain_o$480[0] ;
-  wire [18:0] \chain_o$480[1] ;
-  wire [18:0] \chain_o$480[2] ;
-  wire [18:0] \chain_o$480[3] ;
-  wire [75:0] \chain_o$488 ;
-  wire [18:0] \chain_o$488[0] ;
-  wire [18:0] \chain_o$488[1] ;
-  wire [18:0] \chain_o$488[2] ;
-  wire [18:0] \chain_o$488[3] ;
-  wire [75:0] \chain_o$496 ;
-  wire [18:0] \chain_o$496[0] ;
-  wire [18:0] \chain_o$496[1] ;
-  wire [18:0] \chain_o$496[2] ;
-  wire [18:0] \chain_o$496[3] ;
-  wire [75:0] \chain_o$504 ;
-  wire [18:0] \chain_o$504[0] ;
-  wire [18:0] \chain_o$504[1] ;
-  wire [18:0] \chain_o$504[2] ;
-  wire [18:0] \chain_o$504[3] ;
-  wire [75:0] \chain_o$512 ;
-  wire [18:0] \chain_o$512[0] ;
-  wire [18:0] \chain_o$512[1] ;
-  wire [18:0] \chain_o$512[2] ;
-  wire [18:0] \chain_o$512[3] ;
-  wire [75:0] \chain_o$520 ;
-  wire [18:0] \chain_o$520[0] ;
-  wire [18:0] \chain_o$520[1] ;
-  wire [18:0] \chain_o$520[2] ;
-  wire [18:0] \chain_o$520[3] ;
-  wire [75:0] \chain_o$528 ;
-  wire [18:0] \chain_o$528[0] ;
-  wire [18:0] \chain_o$528[1] ;
-  wire [18:0] \chain_o$528[2] ;
-  wire [18:0] \chain_o$528[3] ;
-  wire [75:0] \chain_o$536 ;
-  wire [18:0] \chain_o$536[0] ;
-  wire [18:0] \chain_o$536[1] ;
-  wire [18:0] \chain_o$536[2] ;
-  wire [18:0] \chain_o$536[3] ;
-  wire [75:0] \chain_o$544 ;
-  wire [18:0] \chain_o$544[0] ;
-  wire [18:0] \chain_o$544[1] ;
-  wire [18:0] \chain_o$544[2] ;
-  wire [18:0] \chain_o$544[3] ;
-  wire [75:0] \chain_o$552 ;
-  wire [18:0] \chain_o$552[0] ;
-  wire [18:0] \chain_o$552[1] ;
-  wire [18:0] \chain_o$552[2] ;
-  wire [18:0] \chain_o$552[3] ;
-  wire [75:0] \chain_o$560 ;
-  wire [18:0] \chain_o$560[0] ;
-  wire [18:0] \chain_o$560[1] ;
-  wire [18:0] \chain_o$560[2] ;
-  wire [18:0] \chain_o$560[3] ;
-  wire [75:0] \chain_o$568 ;
-  wire [18:0] \chain_o$568[0] ;
-  wire [18:0] \chain_o$568[1] ;
-  wire [18:0] \chain_o$568[2] ;
-  wire [18:0] \chain_o$568[3] ;
-  wire [75:0] \chain_o$576 ;
-  wire [18:0] \chain_o$576[0] ;
-  wire [18:0] \chain_o$576[1] ;
-  wire [18:0] \chain_o$576[2] ;
-  wire [18:0] \chain_o$576[3] ;
+  wire [75:0] \chain_o$123 ;
+  wire [18:0] \chain_o$123[0] ;
+  wire [18:0] \chain_o$123[1] ;
+  wire [18:0] \chain_o$123[2] ;
+  wire [18:0] \chain_o$123[3] ;
+  wire [75:0] \chain_o$130 ;
+  wire [18:0] \chain_o$130[0] ;
+  wire [18:0] \chain_o$130[1] ;
+  wire [18:0] \chain_o$130[2] ;
+  wire [18:0] \chain_o$130[3] ;
+  wire [75:0] \chain_o$132 ;
+  wire [18:0] \chain_o$132[0] ;
+  wire [18:0] \chain_o$132[1] ;
+  wire [18:0] \chain_o$132[2] ;
+  wire [18:0] \chain_o$132[3] ;
+  wire [75:0] \chain_o$139 ;
+  wire [18:0] \chain_o$139[0] ;
+  wire [18:0] \chain_o$139[1] ;
+  wire [18:0] \chain_o$139[2] ;
+  wire [18:0] \chain_o$139[3] ;
+  wire [75:0] \chain_o$141 ;
+  wire [18:0] \chain_o$141[0] ;
+  wire [18:0] \chain_o$141[1] ;
+  wire [18:0] \chain_o$141[2] ;
+  wire [18:0] \chain_o$141[3] ;
+  wire [75:0] \chain_o$148 ;
+  wire [18:0] \chain_o$148[0] ;
+  wire [18:0] \chain_o$148[1] ;
+  wire [18:0] \chain_o$148[2] ;
+  wire [18:0] \chain_o$148[3] ;
+  wire [75:0] \chain_o$150 ;
+  wire [18:0] \chain_o$150[0] ;
+  wire [18:0] \chain_o$150[1] ;
+  wire [18:0] \chain_o$150[2] ;
+  wire [18:0] \chain_o$150[3] ;
+  wire [75:0] \chain_o$158 ;
+  wire [18:0] \chain_o$158[0] ;
+  wire [18:0] \chain_o$158[1] ;
+  wire [18:0] \chain_o$158[2] ;
+  wire [18:0] \chain_o$158[3] ;
+  wire [75:0] \chain_o$166 ;
+  wire [18:0] \chain_o$166[0] ;
+  wire [18:0] \chain_o$166[1] ;
+  wire [18:0] \chain_o$166[2] ;
+  wire [18:0] \chain_o$166[3] ;
+  wire [75:0] \chain_o$174 ;
+  wire [18:0] \chain_o$174[0] ;
+  wire [18:0] \chain_o$174[1] ;
+  wire [18:0] \chain_o$174[2] ;
+  wire [18:0] \chain_o$174[3] ;
+  wire [75:0] \chain_o$182 ;
+  wire [18:0] \chain_o$182[0] ;
+  wire [18:0] \chain_o$182[1] ;
+  wire [18:0] \chain_o$182[2] ;
+  wire [18:0] \chain_o$182[3] ;
+  wire [75:0] \chain_o$190 ;
+  wire [18:0] \chain_o$190[0] ;
+  wire [18:0] \chain_o$190[1] ;
+  wire [18:0] \chain_o$190[2] ;
+  wire [18:0] \chain_o$190[3] ;
+  wire [75:0] \chain_o$198 ;
+  wire [18:0] \chain_o$198[0] ;
+  wire [18:0] \chain_o$198[1] ;
+  wire [18:0] \chain_o$198[2] ;
+  wire [18:0] \chain_o$198[3] ;
+  wire [75:0] \chain_o$206 ;
+  wire [18:0] \chain_o$206[0] ;
+  wire [18:0] \chain_o$206[1] ;
+  wire [18:0] \chain_o$206[2] ;
+  wire [18:0] \chain_o$206[3] ;
+  wire [75:0] \chain_o$214 ;
+  wire [18:0] \chain_o$214[0] ;
+  wire [18:0] \chain_o$214[1] ;
+  wire [18:0] \chain_o$214[2] ;
+  wire [18:0] \chain_o$214[3] ;
+  wire [75:0] \chain_o$222 ;
+  wire [18:0] \chain_o$222[0] ;
+  wire [18:0] \chain_o$222[1] ;
+  wire [18:0] \chain_o$222[2] ;
+  wire [18:0] \chain_o$222[3] ;
+  wire [75:0] \chain_o$230 ;
+  wire [18:0] \chain_o$230[0] ;
+  wire [18:0] \chain_o$230[1] ;
+  wire [18:0] \chain_o$230[2] ;
+  wire [18:0] \chain_o$230[3] ;
+  wire [75:0] \chain_o$238 ;
+  wire [18:0] \chain_o$238[0] ;
+  wire [18:0] \chain_o$238[1] ;
+  wire [18:0] \chain_o$238[2] ;
+  wire [18:0] \chain_o$238[3] ;
+  wire [75:0] \chain_o$246 ;
+  wire [18:0] \chain_o$246[0] ;
+  wire [18:0] \chain_o$246[1] ;
+  wire [18:0] \chain_o$246[2] ;
+  wire [18:0] \chain_o$246[3] ;
+  wire [75:0] \chain_o$254 ;
+  wire [18:0] \chain_o$254[0] ;
+  wire [18:0] \chain_o$254[1] ;
+  wire [18:0] \chain_o$254[2] ;
+  wire [18:0] \chain_o$254[3] ;
+  wire [75:0] \chain_o$262 ;
+  wire [18:0] \chain_o$262[0] ;
+  wire [18:0] \chain_o$262[1] ;
+  wire [18:0] \chain_o$262[2] ;
+  wire [18:0] \chain_o$262[3] ;
+  wire [75:0] \chain_o$270 ;
+  wire [18:0] \chain_o$270[0] ;
+  wire [18:0] \chain_o$270[1] ;
+  wire [18:0] \chain_o$270[2] ;
+  wire [18:0] \chain_o$270[3] ;
+  wire [75:0] \chain_o$278 ;
+  wire [18:0] \chain_o$278[0] ;
+  wire [18:0] \chain_o$278[1] ;
+  wire [18:0] \chain_o$278[2] ;
+  wire [18:0] \chain_o$278[3] ;
+  wire [75:0] \chain_o$286 ;
+  wire [18:0] \chain_o$286[0] ;
+  wire [18:0] \chain_o$286[1] ;
+  wire [18:0] \chain_o$286[2] ;
+  wire [18:0] \chain_o$286[3] ;
+  wire [75:0] \chain_o$294 ;
+  wire [18:0] \chain_o$294[0] ;
+  wire [18:0] \chain_o$294[1] ;
+  wire [18:0] \chain_o$294[2] ;
+  wire [18:0] \chain_o$294[3] ;
+  wire [75:0] \chain_o$302 ;
+  wire [18:0] \chain_o$302[0] ;
+  wire [18:0] \chain_o$302[1] ;
+  wire [18:0] \chain_o$302[2] ;
+  wire [18:0] \chain_o$302[3] ;
+  wire [75:0] \chain_o$310 ;
+  wire [18:0] \chain_o$310[0] ;
+  wire [18:0] \chain_o$310[1] ;
+  wire [18:0] \chain_o$310[2] ;
+  wire [18:0] \chain_o$310[3] ;
+  wire [75:0] \chain_o$318 ;
+  wire [18:0] \chain_o$318[0] ;
+  wire [18:0] \chain_o$318[1] ;
+  wire [18:0] \chain_o$318[2] ;
+  wire [18:0] \chain_o$318[3] ;
+  wire [75:0] \chain_o$326 ;
+  wire [18:0] \chain_o$326[0] ;
+  wire [18:0] \chain_o$326[1] ;
+  wire [18:0] \chain_o$326[2] ;
+  wire [18:0] \chain_o$326[3] ;
+  wire [75:0] \chain_o$334 ;
+  wire [18:0] \chain_o$334[0] ;
+  wire [18:0] \chain_o$334[1] ;
+  wire [18:0] \chain_o$334[2] ;
+  wire [18:0] \chain_o$334[3] ;
+  wire [75:0] \chain_o$342 ;
+  wire [18:0] \chain_o$342[0] ;
+  wire [18:0] \chain_o$342[1] ;
+  wire [18:0] \chain_o$342[2] ;
+  wire [18:0] \chain_o$342[3] ;
+  wire [75:0] \chain_o$350 ;
+  wire [18:0] \chain_o$350[0] ;
+  wire [18:0] \chain_o$350[1] ;
+  wire [18:0] \chain_o$350[2] ;
+  wire [18:0] \chain_o$350[3] ;
+  wire [75:0] \chain_o$358 ;
+  wire [18:0] \chain_o$358[0] ;
+  wire [18:0] \chain_o$358[1] ;
+  wire [18:0] \chain_o$358[2] ;
+  wire [18:0] \chain_o$358[3] ;
+  wire [75:0] \chain_o$366 ;
+  wire [18:0] \chain_o$366[0] ;
+  wire [18:0] \chain_o$366[1] ;
+  wire [18:0] \chain_o$366[2] ;
+  wire [18:0] \chain_o$366[3] ;
+  wire [75:0] \chain_o$374 ;
+  wire [18:0] \chain_o$374[0] ;
+  wire [18:0] \chain_o$374[1] ;
+  wire [18:0] \chain_o$374[2] ;
+  wire [18:0] \chain_o$374[3] ;
+  wire [75:0] \chain_o$382 ;
+  wire [18:0] \chain_o$382[0] ;
+  wire [18:0] \chain_o$382[1] ;
+  wire [18:0] \chain_o$382[2] ;
+  wire [18:0] \chain_o$382[3] ;
+  wire [75:0] \chain_o$390 ;
+  wire [18:0] \chain_o$390[0] ;
+  wire [18:0] \chain_o$390[1] ;
+  wire [18:0] \chain_o$390[2] ;
+  wire [18:0] \chain_o$390[3] ;
+  wire [75:0] \chain_o$398 ;
+  wire [18:0] \chain_o$398[0] ;
+  wire [18:0] \chain_o$398[1] ;
+  wire [18:0] \chain_o$398[2] ;
+  wire [18:0] \chain_o$398[3] ;
+  wire [75:0] \chain_o$406 ;
+  wire [18:0] \chain_o$406[0] ;
+  wire [18:0] \chain_o$406[1] ;
+  wire [18:0] \chain_o$406[2] ;
+  wire [18:0] \chain_o$406[3] ;
+  wire [75:0] \chain_o$414 ;
+  wire [18:0] \chain_o$414[0] ;
+  wire [18:0] \chain_o$414[1] ;
+  wire [18:0] \chain_o$414[2] ;
+  wire [18:0] \chain_o$414[3] ;
+  wire [75:0] \chain_o$422 ;
+  wire [18:0] \chain_o$422[0] ;
+  wire [18:0] \chain_o$422[1] ;
+  wire [18:0] \chain_o$422[2] ;
+  wire [18:0] \chain_o$422[3] ;
+  wire [75:0] \chain_o$430 ;
+  wire [18:0] \chain_o$430[0] ;
+  wire [18:0] \chain_o$430[1] ;
+  wire [18:0] \chain_o$430[2] ;
+  wire [18:0] \chain_o$430[3] ;
+  wire [75:0] \chain_o$438 ;
+  wire [18:0] \chain_o$438[0] ;
+  wire [18:0] \chain_o$438[1] ;
+  wire [18:0] \chain_o$438[2] ;
+  wire [18:0] \chain_o$438[3] ;
+  wire [75:0] \chain_o$446 ;
+  wire [18:0] \chain_o$446[0] ;
+  wire [18:0] \chain_o$446[1] ;
+  wire [18:0] \chain_o$446[2] ;
+  wire [18:0] \chain_o$446[3] ;
+  wire [75:0] \chain_o$454 ;
+  wire [18:0] \chain_o$454[0] ;
+  wire [18:0] \chain_o$454[1] ;
+  wire [18:0] \chain_o$454[2] ;
+  wire [18:0] \chain_o$454[3] ;
+  wire [75:0] \chain_o$462 ;
+  wire [18:0] \chain_o$462[0] ;
+  wire [18:0] \chain_o$462[1] ;
+  wire [18:0] \chain_o$462[2] ;
+  wire [18:0] \chain_o$462[3] ;
+  wire [75:0] \chain_o$470 ;
+  wire [18:0] \chain_o$470[0] ;
+  wire [18:0] \chain_o$470[1] ;
+  wire [18:0] \chain_o$470[2] ;
+  wire [18:0] \chain_o$470[3] ;
+  wire [75:0] \chain_o$478 ;
+  wire [18:0] \chain_o$478[0] ;
+  wire [18:0] \chain_o$478[1] ;
+  wire [18:0] \chain_o$478[2] ;
+  wire [18:0] \chain_o$478[3] ;
+  wire [75:0] \chain_o$486 ;
+  wire [18:0] \chain_o$486[0] ;
+  wire [18:0] \chain_o$486[1] ;
+  wire [18:0] \chain_o$486[2] ;
+  wire [18:0] \chain_o$486[3] ;
+  wire [75:0] \chain_o$494 ;
+  wire [18:0] \chain_o$494[0] ;
+  wire [18:0] \chain_o$494[1] ;
+  wire [18:0] \chain_o$494[2] ;
+  wire [18:0] \chain_o$494[3] ;
+  wire [75:0] \chain_o$502 ;
+  wire [18:0] \chain_o$502[0] ;
+  wire [18:0] \chain_o$502[1] ;
+  wire [18:0] \chain_o$502[2] ;
+  wire [18:0] \chain_o$502[3] ;
+  wire [75:0] \chain_o$510 ;
+  wire [18:0] \chain_o$510[0] ;
+  wire [18:0] \chain_o$510[1] ;
+  wire [18:0] \chain_o$510[2] ;
+  wire [18:0] \chain_o$510[3] ;
+  wire [75:0] \chain_o$518 ;
+  wire [18:0] \chain_o$518[0] ;
+  wire [18:0] \chain_o$518[1] ;
+  wire [18:0] \chain_o$518[2] ;
+  wire [18:0] \chain_o$518[3] ;
+  wire [75:0] \chain_o$526 ;
+  wire [18:0] \chain_o$526[0] ;
+  wire [18:0] \chain_o$526[1] ;
+  wire [18:0] \chain_o$526[2] ;
+  wire [18:0] \chain_o$526[3] ;
+  wire [75:0] \chain_o$534 ;
+  wire [18:0] \chain_o$534[0] ;
+  wire [18:0] \chain_o$534[1] ;
+  wire [18:0] \chain_o$534[2] ;
+  wire [18:0] \chain_o$534[3] ;
+  wire [75:0] \chain_o$542 ;
+  wire [18:0] \chain_o$542[0] ;
+  wire [18:0] \chain_o$542[1] ;
+  wire [18:0] \chain_o$542[2] ;
+  wire [18:0] \chain_o$542[3] ;
+  wire [75:0] \chain_o$550 ;
+  wire [18:0] \chain_o$550[0] ;
+  wire [18:0] \chain_o$550[1] ;
+  wire [18:0] \chain_o$550[2] ;
+  wire [18:0] \chain_o$550[3] ;
+  wire [75:0] \chain_o$558 ;
+  wire [18:0] \chain_o$558[0] ;
+  wire [18:0] \chain_o$558[1] ;
+  wire [18:0] \chain_o$558[2] ;
+  wire [18:0] \chain_o$558[3] ;
+  wire [75:0] \chain_o$566 ;
+  wire [18:0] \chain_o$566[0] ;
+  wire [18:0] \chain_o$566[1] ;
+  wire [18:0] \chain_o$566[2] ;
+  wire [18:0] \chain_o$566[3] ;
+  wire [75:0] \chain_o$574 ;
+  wire [18:0] \chain_o$574[0] ;
+  wire [18:0] \chain_o$574[1] ;
+  wire [18:0] \chain_o$574[2] ;
+  wire [18:0] \chain_o$574[3] ;
+  wire [75:0] \chain_o$582 ;
+  wire [18:0] \chain_o$582[0] ;
+  wire [18:0] \chain_o$582[1] ;
+  wire [18:0] \chain_o$582[2] ;
+  wire [18:0] \chain_o$582[3] ;
+  wire [75:0] \chain_o$590 ;
+  wire [18:0] \chain_o$590[0] ;
+  wire [18:0] \chain_o$590[1] ;
+  wire [18:0] \chain_o$590[2] ;
+  wire [18:0] \chain_o$590[3] ;
+  wire [75:0] \chain_o$598 ;
+  wire [18:0] \chain_o$598[0] ;
+  wire [18:0] \chain_o$598[1] ;
+  wire [18:0] \chain_o$598[2] ;
+  wire [18:0] \chain_o$598[3] ;
   wire [18:0] \chain_o[0] ;
   wire [18:0] \chain_o[1] ;
   wire [18:0] \chain_o[2] ;
@@ -1126,425 +1156,404 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   (* init = 8'h00 *)
   wire [7:0] control;
   (* init = 8'h00 *)
-  wire [7:0] \control$106 ;
-  wire \control$106.edge ;
-  wire \control$106.en ;
-  wire \control$106.first ;
-  wire \control$106.last ;
-  wire [3:0] \control$106.tile ;
+  wire [7:0] \control$128 ;
+  wire \control$128.edge ;
+  wire \control$128.en ;
+  wire \control$128.first ;
+  wire \control$128.last ;
+  wire [3:0] \control$128.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$115 ;
-  wire \control$115.edge ;
-  wire \control$115.en ;
-  wire \control$115.first ;
-  wire \control$115.last ;
-  wire [3:0] \control$115.tile ;
+  wire [7:0] \control$137 ;
+  wire \control$137.edge ;
+  wire \control$137.en ;
+  wire \control$137.first ;
+  wire \control$137.last ;
+  wire [3:0] \control$137.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$124 ;
-  wire \control$124.edge ;
-  wire \control$124.en ;
-  wire \control$124.first ;
-  wire \control$124.last ;
-  wire [3:0] \control$124.tile ;
+  wire [7:0] \control$146 ;
+  wire \control$146.edge ;
+  wire \control$146.en ;
+  wire \control$146.first ;
+  wire \control$146.last ;
+  wire [3:0] \control$146.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$133 ;
-  wire \control$133.edge ;
-  wire \control$133.en ;
-  wire \control$133.first ;
-  wire \control$133.last ;
-  wire [3:0] \control$133.tile ;
+  wire [7:0] \control$155 ;
+  wire \control$155.edge ;
+  wire \control$155.en ;
+  wire \control$155.first ;
+  wire \control$155.last ;
+  wire [3:0] \control$155.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$141 ;
-  wire \control$141.edge ;
-  wire \control$141.en ;
-  wire \control$141.first ;
-  wire \control$141.last ;
-  wire [3:0] \control$141.tile ;
+  wire [7:0] \control$163 ;
+  wire \control$163.edge ;
+  wire \control$163.en ;
+  wire \control$163.first ;
+  wire \control$163.last ;
+  wire [3:0] \control$163.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$149 ;
-  wire \control$149.edge ;
-  wire \control$149.en ;
-  wire \control$149.first ;
-  wire \control$149.last ;
-  wire [3:0] \control$149.tile ;
+  wire [7:0] \control$171 ;
+  wire \control$171.edge ;
+  wire \control$171.en ;
+  wire \control$171.first ;
+  wire \control$171.last ;
+  wire [3:0] \control$171.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$157 ;
-  wire \control$157.edge ;
-  wire \control$157.en ;
-  wire \control$157.first ;
-  wire \control$157.last ;
-  wire [3:0] \control$157.tile ;
+  wire [7:0] \control$179 ;
+  wire \control$179.edge ;
+  wire \control$179.en ;
+  wire \control$179.first ;
+  wire \control$179.last ;
+  wire [3:0] \control$179.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$165 ;
-  wire \control$165.edge ;
-  wire \control$165.en ;
-  wire \control$165.first ;
-  wire \control$165.last ;
-  wire [3:0] \control$165.tile ;
+  wire [7:0] \control$187 ;
+  wire \control$187.edge ;
+  wire \control$187.en ;
+  wire \control$187.first ;
+  wire \control$187.last ;
+  wire [3:0] \control$187.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$173 ;
-  wire \control$173.edge ;
-  wire \control$173.en ;
-  wire \control$173.first ;
-  wire \control$173.last ;
-  wire [3:0] \control$173.tile ;
+  wire [7:0] \control$195 ;
+  wire \control$195.edge ;
+  wire \control$195.en ;
+  wire \control$195.first ;
+  wire \control$195.last ;
+  wire [3:0] \control$195.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$181 ;
-  wire \control$181.edge ;
-  wire \control$181.en ;
-  wire \control$181.first ;
-  wire \control$181.last ;
-  wire [3:0] \control$181.tile ;
+  wire [7:0] \control$203 ;
+  wire \control$203.edge ;
+  wire \control$203.en ;
+  wire \control$203.first ;
+  wire \control$203.last ;
+  wire [3:0] \control$203.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$189 ;
-  wire \control$189.edge ;
-  wire \control$189.en ;
-  wire \control$189.first ;
-  wire \control$189.last ;
-  wire [3:0] \control$189.tile ;
+  wire [7:0] \control$211 ;
+  wire \control$211.edge ;
+  wire \control$211.en ;
+  wire \control$211.first ;
+  wire \control$211.last ;
+  wire [3:0] \control$211.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$197 ;
-  wire \control$197.edge ;
-  wire \control$197.en ;
-  wire \control$197.first ;
-  wire \control$197.last ;
-  wire [3:0] \control$197.tile ;
+  wire [7:0] \control$219 ;
+  wire \control$219.edge ;
+  wire \control$219.en ;
+  wire \control$219.first ;
+  wire \control$219.last ;
+  wire [3:0] \control$219.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$205 ;
-  wire \control$205.edge ;
-  wire \control$205.en ;
-  wire \control$205.first ;
-  wire \control$205.last ;
-  wire [3:0] \control$205.tile ;
+  wire [7:0] \control$227 ;
+  wire \control$227.edge ;
+  wire \control$227.en ;
+  wire \control$227.first ;
+  wire \control$227.last ;
+  wire [3:0] \control$227.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$213 ;
-  wire \control$213.edge ;
-  wire \control$213.en ;
-  wire \control$213.first ;
-  wire \control$213.last ;
-  wire [3:0] \control$213.tile ;
+  wire [7:0] \control$235 ;
+  wire \control$235.edge ;
+  wire \control$235.en ;
+  wire \control$235.first ;
+  wire \control$235.last ;
+  wire [3:0] \control$235.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$221 ;
-  wire \control$221.edge ;
-  wire \control$221.en ;
-  wire \control$221.first ;
-  wire \control$221.last ;
-  wire [3:0] \control$221.tile ;
+  wire [7:0] \control$243 ;
+  wire \control$243.edge ;
+  wire \control$243.en ;
+  wire \control$243.first ;
+  wire \control$243.last ;
+  wire [3:0] \control$243.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$229 ;
-  wire \control$229.edge ;
-  wire \control$229.en ;
-  wire \control$229.first ;
-  wire \control$229.last ;
-  wire [3:0] \control$229.tile ;
+  wire [7:0] \control$251 ;
+  wire \control$251.edge ;
+  wire \control$251.en ;
+  wire \control$251.first ;
+  wire \control$251.last ;
+  wire [3:0] \control$251.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$237 ;
-  wire \control$237.edge ;
-  wire \control$237.en ;
-  wire \control$237.first ;
-  wire \control$237.last ;
-  wire [3:0] \control$237.tile ;
+  wire [7:0] \control$259 ;
+  wire \control$259.edge ;
+  wire \control$259.en ;
+  wire \control$259.first ;
+  wire \control$259.last ;
+  wire [3:0] \control$259.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$245 ;
-  wire \control$245.edge ;
-  wire \control$245.en ;
-  wire \control$245.first ;
-  wire \control$245.last ;
-  wire [3:0] \control$245.tile ;
+  wire [7:0] \control$267 ;
+  wire \control$267.edge ;
+  wire \control$267.en ;
+  wire \control$267.first ;
+  wire \control$267.last ;
+  wire [3:0] \control$267.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$253 ;
-  wire \control$253.edge ;
-  wire \control$253.en ;
-  wire \control$253.first ;
-  wire \control$253.last ;
-  wire [3:0] \control$253.tile ;
+  wire [7:0] \control$275 ;
+  wire \control$275.edge ;
+  wire \control$275.en ;
+  wire \control$275.first ;
+  wire \control$275.last ;
+  wire [3:0] \control$275.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$261 ;
-  wire \control$261.edge ;
-  wire \control$261.en ;
-  wire \control$261.first ;
-  wire \control$261.last ;
-  wire [3:0] \control$261.tile ;
+  wire [7:0] \control$283 ;
+  wire \control$283.edge ;
+  wire \control$283.en ;
+  wire \control$283.first ;
+  wire \control$283.last ;
+  wire [3:0] \control$283.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$269 ;
-  wire \control$269.edge ;
-  wire \control$269.en ;
-  wire \control$269.first ;
-  wire \control$269.last ;
-  wire [3:0] \control$269.tile ;
+  wire [7:0] \control$291 ;
+  wire \control$291.edge ;
+  wire \control$291.en ;
+  wire \control$291.first ;
+  wire \control$291.last ;
+  wire [3:0] \control$291.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$277 ;
-  wire \control$277.edge ;
-  wire \control$277.en ;
-  wire \control$277.first ;
-  wire \control$277.last ;
-  wire [3:0] \control$277.tile ;
+  wire [7:0] \control$299 ;
+  wire \control$299.edge ;
+  wire \control$299.en ;
+  wire \control$299.first ;
+  wire \control$299.last ;
+  wire [3:0] \control$299.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$285 ;
-  wire \control$285.edge ;
-  wire \control$285.en ;
-  wire \control$285.first ;
-  wire \control$285.last ;
-  wire [3:0] \control$285.tile ;
+  wire [7:0] \control$307 ;
+  wire \control$307.edge ;
+  wire \control$307.en ;
+  wire \control$307.first ;
+  wire \control$307.last ;
+  wire [3:0] \control$307.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$293 ;
-  wire \control$293.edge ;
-  wire \control$293.en ;
-  wire \control$293.first ;
-  wire \control$293.last ;
-  wire [3:0] \control$293.tile ;
+  wire [7:0] \control$315 ;
+  wire \control$315.edge ;
+  wire \control$315.en ;
+  wire \control$315.first ;
+  wire \control$315.last ;
+  wire [3:0] \control$315.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$301 ;
-  wire \control$301.edge ;
-  wire \control$301.en ;
-  wire \control$301.first ;
-  wire \control$301.last ;
-  wire [3:0] \control$301.tile ;
+  wire [7:0] \control$323 ;
+  wire \control$323.edge ;
+  wire \control$323.en ;
+  wire \control$323.first ;
+  wire \control$323.last ;
+  wire [3:0] \control$323.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$309 ;
-  wire \control$309.edge ;
-  wire \control$309.en ;
-  wire \control$309.first ;
-  wire \control$309.last ;
-  wire [3:0] \control$309.tile ;
+  wire [7:0] \control$331 ;
+  wire \control$331.edge ;
+  wire \control$331.en ;
+  wire \control$331.first ;
+  wire \control$331.last ;
+  wire [3:0] \control$331.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$317 ;
-  wire \control$317.edge ;
-  wire \control$317.en ;
-  wire \control$317.first ;
-  wire \control$317.last ;
-  wire [3:0] \control$317.tile ;
+  wire [7:0] \control$339 ;
+  wire \control$339.edge ;
+  wire \control$339.en ;
+  wire \control$339.first ;
+  wire \control$339.last ;
+  wire [3:0] \control$339.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$325 ;
-  wire \control$325.edge ;
-  wire \control$325.en ;
-  wire \control$325.first ;
-  wire \control$325.last ;
-  wire [3:0] \control$325.tile ;
+  wire [7:0] \control$347 ;
+  wire \control$347.edge ;
+  wire \control$347.en ;
+  wire \control$347.first ;
+  wire \control$347.last ;
+  wire [3:0] \control$347.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$333 ;
-  wire \control$333.edge ;
-  wire \control$333.en ;
-  wire \control$333.first ;
-  wire \control$333.last ;
-  wire [3:0] \control$333.tile ;
+  wire [7:0] \control$355 ;
+  wire \control$355.edge ;
+  wire \control$355.en ;
+  wire \control$355.first ;
+  wire \control$355.last ;
+  wire [3:0] \control$355.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$341 ;
-  wire \control$341.edge ;
-  wire \control$341.en ;
-  wire \control$341.first ;
-  wire \control$341.last ;
-  wire [3:0] \control$341.tile ;
+  wire [7:0] \control$363 ;
+  wire \control$363.edge ;
+  wire \control$363.en ;
+  wire \control$363.first ;
+  wire \control$363.last ;
+  wire [3:0] \control$363.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$349 ;
-  wire \control$349.edge ;
-  wire \control$349.en ;
-  wire \control$349.first ;
-  wire \control$349.last ;
-  wire [3:0] \control$349.tile ;
+  wire [7:0] \control$371 ;
+  wire \control$371.edge ;
+  wire \control$371.en ;
+  wire \control$371.first ;
+  wire \control$371.last ;
+  wire [3:0] \control$371.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$357 ;
-  wire \control$357.edge ;
-  wire \control$357.en ;
-  wire \control$357.first ;
-  wire \control$357.last ;
-  wire [3:0] \control$357.tile ;
+  wire [7:0] \control$379 ;
+  wire \control$379.edge ;
+  wire \control$379.en ;
+  wire \control$379.first ;
+  wire \control$379.last ;
+  wire [3:0] \control$379.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$365 ;
-  wire \control$365.edge ;
-  wire \control$365.en ;
-  wire \control$365.first ;
-  wire \control$365.last ;
-  wire [3:0] \control$365.tile ;
+  wire [7:0] \control$387 ;
+  wire \control$387.edge ;
+  wire \control$387.en ;
+  wire \control$387.first ;
+  wire \control$387.last ;
+  wire [3:0] \control$387.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$373 ;
-  wire \control$373.edge ;
-  wire \control$373.en ;
-  wire \control$373.first ;
-  wire \control$373.last ;
-  wire [3:0] \control$373.tile ;
+  wire [7:0] \control$395 ;
+  wire \control$395.edge ;
+  wire \control$395.en ;
+  wire \control$395.first ;
+  wire \control$395.last ;
+  wire [3:0] \control$395.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$381 ;
-  wire \control$381.edge ;
-  wire \control$381.en ;
-  wire \control$381.first ;
-  wire \control$381.last ;
-  wire [3:0] \control$381.tile ;
+  wire [7:0] \control$403 ;
+  wire \control$403.edge ;
+  wire \control$403.en ;
+  wire \control$403.first ;
+  wire \control$403.last ;
+  wire [3:0] \control$403.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$389 ;
-  wire \control$389.edge ;
-  wire \control$389.en ;
-  wire \control$389.first ;
-  wire \control$389.last ;
-  wire [3:0] \control$389.tile ;
+  wire [7:0] \control$411 ;
+  wire \control$411.edge ;
+  wire \control$411.en ;
+  wire \control$411.first ;
+  wire \control$411.last ;
+  wire [3:0] \control$411.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$397 ;
-  wire \control$397.edge ;
-  wire \control$397.en ;
-  wire \control$397.first ;
-  wire \control$397.last ;
-  wire [3:0] \control$397.tile ;
+  wire [7:0] \control$419 ;
+  wire \control$419.edge ;
+  wire \control$419.en ;
+  wire \control$419.first ;
+  wire \control$419.last ;
+  wire [3:0] \control$419.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$405 ;
-  wire \control$405.edge ;
-  wire \control$405.en ;
-  wire \control$405.first ;
-  wire \control$405.last ;
-  wire [3:0] \control$405.tile ;
+  wire [7:0] \control$427 ;
+  wire \control$427.edge ;
+  wire \control$427.en ;
+  wire \control$427.first ;
+  wire \control$427.last ;
+  wire [3:0] \control$427.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$413 ;
-  wire \control$413.edge ;
-  wire \control$413.en ;
-  wire \control$413.first ;
-  wire \control$413.last ;
-  wire [3:0] \control$413.tile ;
+  wire [7:0] \control$435 ;
+  wire \control$435.edge ;
+  wire \control$435.en ;
+  wire \control$435.first ;
+  wire \control$435.last ;
+  wire [3:0] \control$435.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$421 ;
-  wire \control$421.edge ;
-  wire \control$421.en ;
-  wire \control$421.first ;
-  wire \control$421.last ;
-  wire [3:0] \control$421.tile ;
+  wire [7:0] \control$443 ;
+  wire \control$443.edge ;
+  wire \control$443.en ;
+  wire \control$443.first ;
+  wire \control$443.last ;
+  wire [3:0] \control$443.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$429 ;
-  wire \control$429.edge ;
-  wire \control$429.en ;
-  wire \control$429.first ;
-  wire \control$429.last ;
-  wire [3:0] \control$429.tile ;
+  wire [7:0] \control$451 ;
+  wire \control$451.edge ;
+  wire \control$451.en ;
+  wire \control$451.first ;
+  wire \control$451.last ;
+  wire [3:0] \control$451.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$437 ;
-  wire \control$437.edge ;
-  wire \control$437.en ;
-  wire \control$437.first ;
-  wire \control$437.last ;
-  wire [3:0] \control$437.tile ;
+  wire [7:0] \control$459 ;
+  wire \control$459.edge ;
+  wire \control$459.en ;
+  wire \control$459.first ;
+  wire \control$459.last ;
+  wire [3:0] \control$459.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$445 ;
-  wire \control$445.edge ;
-  wire \control$445.en ;
-  wire \control$445.first ;
-  wire \control$445.last ;
-  wire [3:0] \control$445.tile ;
+  wire [7:0] \control$467 ;
+  wire \control$467.edge ;
+  wire \control$467.en ;
+  wire \control$467.first ;
+  wire \control$467.last ;
+  wire [3:0] \control$467.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$453 ;
-  wire \control$453.edge ;
-  wire \control$453.en ;
-  wire \control$453.first ;
-  wire \control$453.last ;
-  wire [3:0] \control$453.tile ;
+  wire [7:0] \control$475 ;
+  wire \control$475.edge ;
+  wire \control$475.en ;
+  wire \control$475.first ;
+  wire \control$475.last ;
+  wire [3:0] \control$475.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$461 ;
-  wire \control$461.edge ;
-  wire \control$461.en ;
-  wire \control$461.first ;
-  wire \control$461.last ;
-  wire [3:0] \control$461.tile ;
+  wire [7:0] \control$483 ;
+  wire \control$483.edge ;
+  wire \control$483.en ;
+  wire \control$483.first ;
+  wire \control$483.last ;
+  wire [3:0] \control$483.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$469 ;
-  wire \control$469.edge ;
-  wire \control$469.en ;
-  wire \control$469.first ;
-  wire \control$469.last ;
-  wire [3:0] \control$469.tile ;
+  wire [7:0] \control$491 ;
+  wire \control$491.edge ;
+  wire \control$491.en ;
+  wire \control$491.first ;
+  wire \control$491.last ;
+  wire [3:0] \control$491.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$477 ;
-  wire \control$477.edge ;
-  wire \control$477.en ;
-  wire \control$477.first ;
-  wire \control$477.last ;
-  wire [3:0] \control$477.tile ;
+  wire [7:0] \control$499 ;
+  wire \control$499.edge ;
+  wire \control$499.en ;
+  wire \control$499.first ;
+  wire \control$499.last ;
+  wire [3:0] \control$499.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$485 ;
-  wire \control$485.edge ;
-  wire \control$485.en ;
-  wire \control$485.first ;
-  wire \control$485.last ;
-  wire [3:0] \control$485.tile ;
+  wire [7:0] \control$507 ;
+  wire \control$507.edge ;
+  wire \control$507.en ;
+  wire \control$507.first ;
+  wire \control$507.last ;
+  wire [3:0] \control$507.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$493 ;
-  wire \control$493.edge ;
-  wire \control$493.en ;
-  wire \control$493.first ;
-  wire \control$493.last ;
-  wire [3:0] \control$493.tile ;
+  wire [7:0] \control$515 ;
+  wire \control$515.edge ;
+  wire \control$515.en ;
+  wire \control$515.first ;
+  wire \control$515.last ;
+  wire [3:0] \control$515.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$501 ;
-  wire \control$501.edge ;
-  wire \control$501.en ;
-  wire \control$501.first ;
-  wire \control$501.last ;
-  wire [3:0] \control$501.tile ;
+  wire [7:0] \control$523 ;
+  wire \control$523.edge ;
+  wire \control$523.en ;
+  wire \control$523.first ;
+  wire \control$523.last ;
+  wire [3:0] \control$523.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$509 ;
-  wire \control$509.edge ;
-  wire \control$509.en ;
-  wire \control$509.first ;
-  wire \control$509.last ;
-  wire [3:0] \control$509.tile ;
+  wire [7:0] \control$531 ;
+  wire \control$531.edge ;
+  wire \control$531.en ;
+  wire \control$531.first ;
+  wire \control$531.last ;
+  wire [3:0] \control$531.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$517 ;
-  wire \control$517.edge ;
-  wire \control$517.en ;
-  wire \control$517.first ;
-  wire \control$517.last ;
-  wire [3:0] \control$517.tile ;
+  wire [7:0] \control$539 ;
+  wire \control$539.edge ;
+  wire \control$539.en ;
+  wire \control$539.first ;
+  wire \control$539.last ;
+  wire [3:0] \control$539.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$525 ;
-  wire \control$525.edge ;
-  wire \control$525.en ;
-  wire \control$525.first ;
-  wire \control$525.last ;
-  wire [3:0] \control$525.tile ;
+  wire [7:0] \control$547 ;
+  wire \control$547.edge ;
+  wire \control$547.en ;
+  wire \control$547.first ;
+  wire \control$547.last ;
+  wire [3:0] \control$547.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$533 ;
-  wire \control$533.edge ;
-  wire \control$533.en ;
-  wire \control$533.first ;
-  wire \control$533.last ;
-  wire [3:0] \control$533.tile ;
+  wire [7:0] \control$555 ;
+  wire \control$555.edge ;
+  wire \control$555.en ;
+  wire \control$555.first ;
+  wire \control$555.last ;
+  wire [3:0] \control$555.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$541 ;
-  wire \control$541.edge ;
-  wire \control$541.en ;
-  wire \control$541.first ;
-  wire \control$541.last ;
-  wire [3:0] \control$541.tile ;
+  wire [7:0] \control$563 ;
+  wire \control$563.edge ;
+  wire \control$563.en ;
+  wire \control$563.first ;
+  wire \control$563.last ;
+  wire [3:0] \control$563.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$549 ;
-  wire \control$549.edge ;
-  wire \control$549.en ;
-  wire \control$549.first ;
-  wire \control$549.last ;
-  wire [3:0] \control$549.tile ;
+  wire [7:0] \control$571 ;
+  wire \control$571.edge ;
+  wire \control$571.en ;
+  wire \control$571.first ;
+  wire \control$571.last ;
+  wire [3:0] \control$571.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$557 ;
-  wire \control$557.edge ;
-  wire \control$557.en ;
-  wire \control$557.first ;
-  wire \control$557.last ;
-  wire [3:0] \control$557.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$565 ;
-  wire \control$565.edge ;
-  wire \control$565.en ;
-  wire \control$565.first ;
-  wire \control$565.last ;
-  wire [3:0] \control$565.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$573 ;
-  wire \control$573.edge ;
-  wire \control$573.en ;
-  wire \control$573.first ;
-  wire \control$573.last ;
-  wire [3:0] \control$573.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$581 ;
-  wire \control$581.edge ;
-  wire \control$581.en ;
-  wire \control$581.first ;
-  wire \control$581.last ;
-  wire [3:0] \control$581.tile ;
+  wire [7:0] \control$579 ;
+  wire \control$579.edge ;
+  wire \control$579.en ;
+  wire \control$579.first ;
+  wire \control$579.last ;
+  wire [3:0] \control$579.tile ;
   (* init = 8'h00 *)
   wire [7:0] \control$587 ;
   wire \control$587.edge ;
@@ -1553,19 +1562,40 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire \control$587.last ;
   wire [3:0] \control$587.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$593 ;
-  wire \control$593.edge ;
-  wire \control$593.en ;
-  wire \control$593.first ;
-  wire \control$593.last ;
-  wire [3:0] \control$593.tile ;
+  wire [7:0] \control$595 ;
+  wire \control$595.edge ;
+  wire \control$595.en ;
+  wire \control$595.first ;
+  wire \control$595.last ;
+  wire [3:0] \control$595.tile ;
   (* init = 8'h00 *)
-  wire [7:0] \control$599 ;
-  wire \control$599.edge ;
-  wire \control$599.en ;
-  wire \control$599.first ;
-  wire \control$599.last ;
-  wire [3:0] \control$599.tile ;
+  wire [7:0] \control$603 ;
+  wire \control$603.edge ;
+  wire \control$603.en ;
+  wire \control$603.first ;
+  wire \control$603.last ;
+  wire [3:0] \control$603.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$609 ;
+  wire \control$609.edge ;
+  wire \control$609.en ;
+  wire \control$609.first ;
+  wire \control$609.last ;
+  wire [3:0] \control$609.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$615 ;
+  wire \control$615.edge ;
+  wire \control$615.en ;
+  wire \control$615.first ;
+  wire \control$615.last ;
+  wire [3:0] \control$615.tile ;
+  (* init = 8'h00 *)
+  wire [7:0] \control$621 ;
+  wire \control$621.edge ;
+  wire \control$621.en ;
+  wire \control$621.first ;
+  wire \control$621.last ;
+  wire [3:0] \control$621.tile ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
@@ -1596,9 +1626,10 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire \control3.last ;
   wire [3:0] \control3.tile ;
   wire credit;
-  wire \credit$79 ;
+  wire \credit$101 ;
   output [31:0] cycles;
   reg [31:0] cycles = 32'd0;
+  reg delivered = 1'h0;
   output done;
   reg done = 1'h0;
   output [31:0] drain_cycles;
@@ -1611,6 +1642,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   (* enum_value_011 = "TLAST_EARLY" *)
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
+  (* enum_value_110 = "BAD_RANGE" *)
   wire [2:0] error;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
@@ -1619,8 +1651,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   (* enum_value_011 = "TLAST_EARLY" *)
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
-  output [2:0] \error$608 ;
-  reg [2:0] \error$608  = 3'h0;
+  (* enum_value_110 = "BAD_RANGE" *)
+  output [2:0] \error$633 ;
+  reg [2:0] \error$633  = 3'h0;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -1628,7 +1661,8 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   (* enum_value_011 = "TLAST_EARLY" *)
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
-  wire [2:0] \error$612 ;
+  (* enum_value_110 = "BAD_RANGE" *)
+  wire [2:0] \error$636 ;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -1636,15 +1670,16 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   (* enum_value_011 = "TLAST_EARLY" *)
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
-  wire [2:0] \error$613 ;
+  (* enum_value_110 = "BAD_RANGE" *)
+  wire [2:0] \error$637 ;
   wire fault;
-  wire \fault$611 ;
+  wire \fault$635 ;
   output [31:0] fill_cycles;
   reg [31:0] fill_cycles = 32'd0;
   wire finished;
   wire flushing;
   wire group_written;
-  wire \group_written$75 ;
+  wire \group_written$97 ;
   wire [303:0] heads;
   wire [75:0] \heads[0] ;
   wire [18:0] \heads[0][0] ;
@@ -1671,60 +1706,66 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire [31:0] \height$1 ;
   input [64:0] i__payload;
   wire [64:0] i__payload;
-  wire [64:0] \i__payload$24 ;
-  wire [63:0] \i__payload$24.data ;
-  wire \i__payload$24.last ;
-  wire [63:0] \i__payload$29 ;
-  wire [47:0] \i__payload$35 ;
-  wire [49:0] \i__payload$41 ;
-  wire [47:0] \i__payload$41.data ;
-  wire \i__payload$41.last ;
-  wire \i__payload$41.pixel_last ;
-  input [64:0] \i__payload$53 ;
-  wire [64:0] \i__payload$53 ;
-  wire [63:0] \i__payload$53.data ;
-  wire \i__payload$53.last ;
+  wire [64:0] \i__payload$42 ;
+  wire [63:0] \i__payload$42.data ;
+  wire \i__payload$42.last ;
+  wire [63:0] \i__payload$47 ;
+  wire [47:0] \i__payload$53 ;
+  wire [49:0] \i__payload$59 ;
+  wire [47:0] \i__payload$59.data ;
+  wire \i__payload$59.last ;
+  wire \i__payload$59.pixel_last ;
+  input [64:0] \i__payload$71 ;
+  wire [64:0] \i__payload$71 ;
+  wire [63:0] \i__payload$71.data ;
+  wire \i__payload$71.last ;
   wire [63:0] \i__payload.data ;
   wire \i__payload.last ;
   output i__ready;
   wire i__ready;
-  wire \i__ready$26 ;
-  wire \i__ready$32 ;
-  wire \i__ready$38 ;
   wire \i__ready$44 ;
+  wire \i__ready$50 ;
   wire \i__ready$56 ;
+  wire \i__ready$62 ;
+  wire \i__ready$74 ;
   input i__valid;
   wire i__valid;
-  wire \i__valid$28 ;
-  wire \i__valid$33 ;
-  wire \i__valid$39 ;
-  wire \i__valid$45 ;
-  input \i__valid$57 ;
+  wire \i__valid$46 ;
+  wire \i__valid$51 ;
   wire \i__valid$57 ;
+  wire \i__valid$63 ;
+  input \i__valid$75 ;
+  wire \i__valid$75 ;
+  wire idle;
   wire image_written;
-  wire \image_written$77 ;
-  reg [9:0] info = 10'h000;
+  wire \image_written$99 ;
+  reg [10:0] info = 11'h000;
+  wire \info.edge ;
   wire \info.image_last ;
   wire [3:0] \info.slots ;
   wire [3:0] \info.tile ;
   wire \info.tile_last ;
-  reg [9:0] info0 = 10'h000;
+  reg [10:0] info0 = 11'h000;
+  wire \info0.edge ;
   wire \info0.image_last ;
   wire [3:0] \info0.slots ;
   wire [3:0] \info0.tile ;
   wire \info0.tile_last ;
-  reg [9:0] info1 = 10'h000;
+  reg [10:0] info1 = 11'h000;
+  wire \info1.edge ;
   wire \info1.image_last ;
   wire [3:0] \info1.slots ;
   wire [3:0] \info1.tile ;
   wire \info1.tile_last ;
-  reg [9:0] info2 = 10'h000;
+  reg [10:0] info2 = 11'h000;
+  wire \info2.edge ;
   wire \info2.image_last ;
   wire [3:0] \info2.slots ;
   wire [3:0] \info2.tile ;
   wire \info2.tile_last ;
-  (* init = 10'h000 *)
-  wire [9:0] info3;
+  (* init = 11'h000 *)
+  wire [10:0] info3;
+  wire \info3.edge ;
   wire \info3.image_last ;
   wire [3:0] \info3.slots ;
   wire [3:0] \info3.tile ;
@@ -1733,207 +1774,251 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   reg [31:0] input_stalls = 32'd0;
   wire issue;
   wire last_beat;
+  wire [32:0] load_end;
+  output loading;
+  wire loading;
   output [31:0] mac_cycles;
   reg [31:0] mac_cycles = 32'd0;
   input [31:0] mode;
   wire [31:0] mode;
   wire [31:0] \mode$9 ;
   wire [63:0] o__payload;
-  wire [47:0] \o__payload$36 ;
-  wire [49:0] \o__payload$42 ;
-  wire [47:0] \o__payload$42.data ;
-  wire \o__payload$42.last ;
-  wire \o__payload$42.pixel_last ;
-  output [64:0] \o__payload$47 ;
-  wire [64:0] \o__payload$47 ;
-  wire [63:0] \o__payload$47.data ;
-  wire \o__payload$47.last ;
-  wire [64:0] \o__payload$48 ;
-  wire [63:0] \o__payload$48.data ;
-  wire \o__payload$48.last ;
+  wire [47:0] \o__payload$54 ;
+  wire [49:0] \o__payload$60 ;
+  wire [47:0] \o__payload$60.data ;
+  wire \o__payload$60.last ;
+  wire \o__payload$60.pixel_last ;
+  output [64:0] \o__payload$65 ;
+  wire [64:0] \o__payload$65 ;
+  wire [63:0] \o__payload$65.data ;
+  wire \o__payload$65.last ;
+  wire [64:0] \o__payload$66 ;
+  wire [63:0] \o__payload$66.data ;
+  wire \o__payload$66.last ;
   wire o__ready;
-  wire \o__ready$37 ;
-  wire \o__ready$43 ;
-  input \o__ready$49 ;
-  wire \o__ready$49 ;
-  wire \o__ready$50 ;
+  wire \o__ready$55 ;
+  wire \o__ready$61 ;
+  input \o__ready$67 ;
+  wire \o__ready$67 ;
+  wire \o__ready$68 ;
   wire o__valid;
-  wire \o__valid$40 ;
-  wire \o__valid$46 ;
-  output \o__valid$51 ;
-  wire \o__valid$51 ;
-  wire \o__valid$52 ;
+  wire \o__valid$58 ;
+  wire \o__valid$64 ;
+  output \o__valid$69 ;
+  wire \o__valid$69 ;
+  wire \o__valid$70 ;
+  wire open;
   output [31:0] output_stalls;
   reg [31:0] output_stalls = 32'd0;
+  wire overlaps;
+  wire [31:0] param_base;
   wire [64:0] params__payload;
   wire [63:0] \params__payload.data ;
   wire \params__payload.last ;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1022$0 ;
-  wire [3:0] \port$1022$0 ;
+  input [3:0] \port$1170$0 ;
+  wire [3:0] \port$1170$0 ;
   wire [14:0] read;
   wire [7:0] \read.address ;
   wire \read.bank ;
   wire [3:0] \read.mask ;
   wire [1:0] \read.slot ;
-  wire [543:0] requant;
+  wire [679:0] requant;
   wire [7:0] \requant.addr ;
-  wire [535:0] \requant.data ;
+  wire [671:0] \requant.data ;
+  input [31:0] requant_base;
+  wire [31:0] requant_base;
+  wire [31:0] \requant_base$13 ;
+  wire [7:0] \requant_base$93 ;
   wire requant_en;
+  wire [8:0] requant_end;
   wire retire;
-  wire \retire$71 ;
+  wire \retire$89 ;
+  wire retire_row;
+  wire \retire_row$91 ;
   input rst;
   wire rst;
   reg running = 1'h0;
-  wire [132:0] shape;
-  wire [132:0] \shape$13 ;
-  wire [15:0] \shape$13.beats_in ;
-  wire [15:0] \shape$13.beats_out ;
-  wire [13:0] \shape$13.blocks ;
-  wire [14:0] \shape$13.groups ;
-  wire [15:0] \shape$13.height ;
-  wire [13:0] \shape$13.ingest_words ;
-  wire [11:0] \shape$13.output_words ;
-  wire [1:0] \shape$13.tail ;
-  wire [11:0] \shape$13.tiles ;
-  wire [15:0] \shape$13.width ;
-  wire [132:0] \shape$59 ;
-  wire [15:0] \shape$59.beats_in ;
-  wire [15:0] \shape$59.beats_out ;
-  wire [13:0] \shape$59.blocks ;
-  wire [14:0] \shape$59.groups ;
-  wire [15:0] \shape$59.height ;
-  wire [13:0] \shape$59.ingest_words ;
-  wire [11:0] \shape$59.output_words ;
-  wire [1:0] \shape$59.tail ;
-  wire [11:0] \shape$59.tiles ;
-  wire [15:0] \shape$59.width ;
-  wire [132:0] \shape$60 ;
-  wire [15:0] \shape$60.beats_in ;
-  wire [15:0] \shape$60.beats_out ;
-  wire [13:0] \shape$60.blocks ;
-  wire [14:0] \shape$60.groups ;
-  wire [15:0] \shape$60.height ;
-  wire [13:0] \shape$60.ingest_words ;
-  wire [11:0] \shape$60.output_words ;
-  wire [1:0] \shape$60.tail ;
-  wire [11:0] \shape$60.tiles ;
-  wire [15:0] \shape$60.width ;
-  wire [132:0] \shape$61 ;
-  wire [15:0] \shape$61.beats_in ;
-  wire [15:0] \shape$61.beats_out ;
-  wire [13:0] \shape$61.blocks ;
-  wire [14:0] \shape$61.groups ;
-  wire [15:0] \shape$61.height ;
-  wire [13:0] \shape$61.ingest_words ;
-  wire [11:0] \shape$61.output_words ;
-  wire [1:0] \shape$61.tail ;
-  wire [11:0] \shape$61.tiles ;
-  wire [15:0] \shape$61.width ;
-  wire [132:0] \shape$62 ;
-  wire [15:0] \shape$62.beats_in ;
-  wire [15:0] \shape$62.beats_out ;
-  wire [13:0] \shape$62.blocks ;
-  wire [14:0] \shape$62.groups ;
-  wire [15:0] \shape$62.height ;
-  wire [13:0] \shape$62.ingest_words ;
-  wire [11:0] \shape$62.output_words ;
-  wire [1:0] \shape$62.tail ;
-  wire [11:0] \shape$62.tiles ;
-  wire [15:0] \shape$62.width ;
+  wire [166:0] shape;
+  wire [166:0] \shape$19 ;
+  wire [15:0] \shape$19.beats_in ;
+  wire [15:0] \shape$19.beats_out ;
+  wire \shape$19.biased ;
+  wire [13:0] \shape$19.blocks ;
+  wire [14:0] \shape$19.column_words ;
+  wire [14:0] \shape$19.groups ;
+  wire \shape$19.halved ;
+  wire [15:0] \shape$19.height ;
+  wire [13:0] \shape$19.ingest_words ;
+  wire [15:0] \shape$19.out_height ;
+  wire [11:0] \shape$19.output_words ;
+  wire \shape$19.pointwise ;
+  wire [1:0] \shape$19.tail ;
+  wire [11:0] \shape$19.tiles ;
+  wire [15:0] \shape$19.width ;
+  wire [166:0] \shape$77 ;
+  wire [15:0] \shape$77.beats_in ;
+  wire [15:0] \shape$77.beats_out ;
+  wire \shape$77.biased ;
+  wire [13:0] \shape$77.blocks ;
+  wire [14:0] \shape$77.column_words ;
+  wire [14:0] \shape$77.groups ;
+  wire \shape$77.halved ;
+  wire [15:0] \shape$77.height ;
+  wire [13:0] \shape$77.ingest_words ;
+  wire [15:0] \shape$77.out_height ;
+  wire [11:0] \shape$77.output_words ;
+  wire \shape$77.pointwise ;
+  wire [1:0] \shape$77.tail ;
+  wire [11:0] \shape$77.tiles ;
+  wire [15:0] \shape$77.width ;
+  wire [166:0] \shape$78 ;
+  wire [15:0] \shape$78.beats_in ;
+  wire [15:0] \shape$78.beats_out ;
+  wire \shape$78.biased ;
+  wire [13:0] \shape$78.blocks ;
+  wire [14:0] \shape$78.column_words ;
+  wire [14:0] \shape$78.groups ;
+  wire \shape$78.halved ;
+  wire [15:0] \shape$78.height ;
+  wire [13:0] \shape$78.ingest_words ;
+  wire [15:0] \shape$78.out_height ;
+  wire [11:0] \shape$78.output_words ;
+  wire \shape$78.pointwise ;
+  wire [1:0] \shape$78.tail ;
+  wire [11:0] \shape$78.tiles ;
+  wire [15:0] \shape$78.width ;
+  wire [166:0] \shape$79 ;
+  wire [15:0] \shape$79.beats_in ;
+  wire [15:0] \shape$79.beats_out ;
+  wire \shape$79.biased ;
+  wire [13:0] \shape$79.blocks ;
+  wire [14:0] \shape$79.column_words ;
+  wire [14:0] \shape$79.groups ;
+  wire \shape$79.halved ;
+  wire [15:0] \shape$79.height ;
+  wire [13:0] \shape$79.ingest_words ;
+  wire [15:0] \shape$79.out_height ;
+  wire [11:0] \shape$79.output_words ;
+  wire \shape$79.pointwise ;
+  wire [1:0] \shape$79.tail ;
+  wire [11:0] \shape$79.tiles ;
+  wire [15:0] \shape$79.width ;
+  wire [166:0] \shape$80 ;
+  wire [15:0] \shape$80.beats_in ;
+  wire [15:0] \shape$80.beats_out ;
+  wire \shape$80.biased ;
+  wire [13:0] \shape$80.blocks ;
+  wire [14:0] \shape$80.column_words ;
+  wire [14:0] \shape$80.groups ;
+  wire \shape$80.halved ;
+  wire [15:0] \shape$80.height ;
+  wire [13:0] \shape$80.ingest_words ;
+  wire [15:0] \shape$80.out_height ;
+  wire [11:0] \shape$80.output_words ;
+  wire \shape$80.pointwise ;
+  wire [1:0] \shape$80.tail ;
+  wire [11:0] \shape$80.tiles ;
+  wire [15:0] \shape$80.width ;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire \shape.biased ;
   wire [13:0] \shape.blocks ;
+  wire [14:0] \shape.column_words ;
   wire [14:0] \shape.groups ;
+  wire \shape.halved ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
+  wire [15:0] \shape.out_height ;
   wire [11:0] \shape.output_words ;
+  wire \shape.pointwise ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
   wire shift;
-  wire \shift$107 ;
-  wire \shift$116 ;
-  wire \shift$125 ;
-  wire \shift$134 ;
-  wire \shift$142 ;
-  wire \shift$150 ;
-  wire \shift$158 ;
-  wire \shift$166 ;
-  wire \shift$174 ;
-  wire \shift$182 ;
-  wire \shift$190 ;
-  wire \shift$198 ;
-  wire \shift$206 ;
-  wire \shift$214 ;
-  wire \shift$222 ;
-  wire \shift$230 ;
-  wire \shift$238 ;
-  wire \shift$246 ;
-  wire \shift$254 ;
-  wire \shift$262 ;
-  wire \shift$270 ;
-  wire \shift$278 ;
-  wire \shift$286 ;
-  wire \shift$294 ;
-  wire \shift$302 ;
-  wire \shift$310 ;
-  wire \shift$318 ;
-  wire \shift$326 ;
-  wire \shift$334 ;
-  wire \shift$342 ;
-  wire \shift$350 ;
-  wire \shift$358 ;
-  wire \shift$366 ;
-  wire \shift$374 ;
-  wire \shift$382 ;
-  wire \shift$390 ;
-  wire \shift$398 ;
-  wire \shift$406 ;
-  wire \shift$414 ;
-  wire \shift$422 ;
-  wire \shift$430 ;
-  wire \shift$438 ;
-  wire \shift$446 ;
-  wire \shift$454 ;
-  wire \shift$462 ;
-  wire \shift$470 ;
-  wire \shift$478 ;
-  wire \shift$486 ;
-  wire \shift$494 ;
-  wire \shift$502 ;
-  wire \shift$510 ;
-  wire \shift$518 ;
-  wire \shift$526 ;
-  wire \shift$534 ;
-  wire \shift$542 ;
-  wire \shift$550 ;
-  wire \shift$558 ;
-  wire \shift$566 ;
-  wire \shift$574 ;
-  wire \shift$582 ;
+  wire \shift$119 ;
+  wire \shift$129 ;
+  wire \shift$138 ;
+  wire \shift$147 ;
+  wire \shift$156 ;
+  wire \shift$164 ;
+  wire \shift$172 ;
+  wire \shift$180 ;
+  wire \shift$188 ;
+  wire \shift$196 ;
+  wire \shift$204 ;
+  wire \shift$212 ;
+  wire \shift$220 ;
+  wire \shift$228 ;
+  wire \shift$236 ;
+  wire \shift$244 ;
+  wire \shift$252 ;
+  wire \shift$260 ;
+  wire \shift$268 ;
+  wire \shift$276 ;
+  wire \shift$284 ;
+  wire \shift$292 ;
+  wire \shift$300 ;
+  wire \shift$308 ;
+  wire \shift$316 ;
+  wire \shift$324 ;
+  wire \shift$332 ;
+  wire \shift$340 ;
+  wire \shift$348 ;
+  wire \shift$356 ;
+  wire \shift$364 ;
+  wire \shift$372 ;
+  wire \shift$380 ;
+  wire \shift$388 ;
+  wire \shift$396 ;
+  wire \shift$404 ;
+  wire \shift$412 ;
+  wire \shift$420 ;
+  wire \shift$428 ;
+  wire \shift$436 ;
+  wire \shift$444 ;
+  wire \shift$452 ;
+  wire \shift$460 ;
+  wire \shift$468 ;
+  wire \shift$476 ;
+  wire \shift$484 ;
+  wire \shift$492 ;
+  wire \shift$500 ;
+  wire \shift$508 ;
+  wire \shift$516 ;
+  wire \shift$524 ;
+  wire \shift$532 ;
+  wire \shift$540 ;
+  wire \shift$548 ;
+  wire \shift$556 ;
+  wire \shift$564 ;
+  wire \shift$572 ;
+  wire \shift$580 ;
   wire \shift$588 ;
-  wire \shift$594 ;
-  wire \shift$600 ;
-  wire \shift$97 ;
+  wire \shift$596 ;
+  wire \shift$604 ;
+  wire \shift$610 ;
+  wire \shift$616 ;
+  wire \shift$622 ;
   wire soft_reset;
-  wire start;
-  wire \start$63 ;
-  wire \start$64 ;
-  wire \start$65 ;
-  wire \start$66 ;
+  reg start;
+  wire \start$81 ;
+  wire \start$82 ;
+  wire \start$83 ;
+  wire \start$84 ;
   reg start_requant;
   reg start_weights;
   wire starved;
-  wire [41:0] step;
+  wire [43:0] step;
   wire [7:0] \step.control ;
   wire \step.control.edge ;
   wire \step.control.en ;
   wire \step.control.first ;
   wire \step.control.last ;
   wire [3:0] \step.control.tile ;
-  wire [9:0] \step.info ;
+  wire [10:0] \step.info ;
+  wire \step.info.edge ;
   wire \step.info.image_last ;
   wire [3:0] \step.info.slots ;
   wire [3:0] \step.info.tile ;
@@ -1943,380 +2028,397 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire \step.read.bank ;
   wire [3:0] \step.read.mask ;
   wire [1:0] \step.read.slot ;
-  wire [8:0] \step.weight ;
+  wire [9:0] \step.weight ;
+  wire to_requant;
   wire [63:0] unit_en;
+  (* enum_base_type = "Error" *)
+  (* enum_value_000 = "NONE" *)
+  (* enum_value_001 = "BAD_SHAPE" *)
+  (* enum_value_010 = "BAD_MODE" *)
+  (* enum_value_011 = "TLAST_EARLY" *)
+  (* enum_value_100 = "TLAST_MISSING" *)
+  (* enum_value_101 = "BAD_COMMAND" *)
+  (* enum_value_110 = "BAD_RANGE" *)
+  reg [2:0] verdict;
   reg [1:0] \wait  = 2'h0;
-  wire [80:0] weight;
-  wire [8:0] \weight.addr ;
+  wire [81:0] weight;
+  wire [9:0] \weight.addr ;
   wire [71:0] \weight.data ;
+  input [31:0] weight_base;
+  wire [31:0] weight_base;
+  wire [31:0] \weight_base$11 ;
+  wire [9:0] \weight_base$92 ;
+  wire [10:0] weight_end;
   input [31:0] width;
   wire [31:0] width;
   wire [31:0] \width$3 ;
   wire [95:0] word;
   input [31:0] words;
   wire [31:0] words;
-  wire [31:0] \words$11 ;
+  wire [31:0] \words$15 ;
   wire [15:0] words_per_pixel;
-  wire [543:0] write;
-  wire [80:0] \write$104 ;
-  wire [8:0] \write$104.addr ;
-  wire [71:0] \write$104.data ;
-  wire [80:0] \write$113 ;
-  wire [8:0] \write$113.addr ;
+  wire [679:0] write;
+  wire [81:0] \write$113 ;
+  wire [9:0] \write$113.addr ;
   wire [71:0] \write$113.data ;
-  wire [80:0] \write$122 ;
-  wire [8:0] \write$122.addr ;
-  wire [71:0] \write$122.data ;
-  wire [80:0] \write$131 ;
-  wire [8:0] \write$131.addr ;
-  wire [71:0] \write$131.data ;
-  wire [80:0] \write$139 ;
-  wire [8:0] \write$139.addr ;
-  wire [71:0] \write$139.data ;
-  wire [80:0] \write$147 ;
-  wire [8:0] \write$147.addr ;
-  wire [71:0] \write$147.data ;
-  wire [80:0] \write$155 ;
-  wire [8:0] \write$155.addr ;
-  wire [71:0] \write$155.data ;
-  wire [80:0] \write$163 ;
-  wire [8:0] \write$163.addr ;
-  wire [71:0] \write$163.data ;
-  wire [80:0] \write$171 ;
-  wire [8:0] \write$171.addr ;
-  wire [71:0] \write$171.data ;
-  wire [80:0] \write$179 ;
-  wire [8:0] \write$179.addr ;
-  wire [71:0] \write$179.data ;
-  wire [80:0] \write$187 ;
-  wire [8:0] \write$187.addr ;
-  wire [71:0] \write$187.data ;
-  wire [80:0] \write$195 ;
-  wire [8:0] \write$195.addr ;
-  wire [71:0] \write$195.data ;
-  wire [80:0] \write$203 ;
-  wire [8:0] \write$203.addr ;
-  wire [71:0] \write$203.data ;
-  wire [80:0] \write$211 ;
-  wire [8:0] \write$211.addr ;
-  wire [71:0] \write$211.data ;
-  wire [80:0] \write$219 ;
-  wire [8:0] \write$219.addr ;
-  wire [71:0] \write$219.data ;
-  wire [80:0] \write$227 ;
-  wire [8:0] \write$227.addr ;
-  wire [71:0] \write$227.data ;
-  wire [80:0] \write$235 ;
-  wire [8:0] \write$235.addr ;
-  wire [71:0] \write$235.data ;
-  wire [80:0] \write$243 ;
-  wire [8:0] \write$243.addr ;
-  wire [71:0] \write$243.data ;
-  wire [80:0] \write$251 ;
-  wire [8:0] \write$251.addr ;
-  wire [71:0] \write$251.data ;
-  wire [80:0] \write$259 ;
-  wire [8:0] \write$259.addr ;
-  wire [71:0] \write$259.data ;
-  wire [80:0] \write$267 ;
-  wire [8:0] \write$267.addr ;
-  wire [71:0] \write$267.data ;
-  wire [80:0] \write$275 ;
-  wire [8:0] \write$275.addr ;
-  wire [71:0] \write$275.data ;
-  wire [80:0] \write$283 ;
-  wire [8:0] \write$283.addr ;
-  wire [71:0] \write$283.data ;
-  wire [80:0] \write$291 ;
-  wire [8:0] \write$291.addr ;
-  wire [71:0] \write$291.data ;
-  wire [80:0] \write$299 ;
-  wire [8:0] \write$299.addr ;
-  wire [71:0] \write$299.data ;
-  wire [80:0] \write$307 ;
-  wire [8:0] \write$307.addr ;
-  wire [71:0] \write$307.data ;
-  wire [80:0] \write$315 ;
-  wire [8:0] \write$315.addr ;
-  wire [71:0] \write$315.data ;
-  wire [80:0] \write$323 ;
-  wire [8:0] \write$323.addr ;
-  wire [71:0] \write$323.data ;
-  wire [80:0] \write$331 ;
-  wire [8:0] \write$331.addr ;
-  wire [71:0] \write$331.data ;
-  wire [80:0] \write$339 ;
-  wire [8:0] \write$339.addr ;
-  wire [71:0] \write$339.data ;
-  wire [80:0] \write$347 ;
-  wire [8:0] \write$347.addr ;
-  wire [71:0] \write$347.data ;
-  wire [80:0] \write$355 ;
-  wire [8:0] \write$355.addr ;
-  wire [71:0] \write$355.data ;
-  wire [80:0] \write$363 ;
-  wire [8:0] \write$363.addr ;
-  wire [71:0] \write$363.data ;
-  wire [80:0] \write$371 ;
-  wire [8:0] \write$371.addr ;
-  wire [71:0] \write$371.data ;
-  wire [80:0] \write$379 ;
-  wire [8:0] \write$379.addr ;
-  wire [71:0] \write$379.data ;
-  wire [80:0] \write$387 ;
-  wire [8:0] \write$387.addr ;
-  wire [71:0] \write$387.data ;
-  wire [80:0] \write$395 ;
-  wire [8:0] \write$395.addr ;
-  wire [71:0] \write$395.data ;
-  wire [80:0] \write$403 ;
-  wire [8:0] \write$403.addr ;
-  wire [71:0] \write$403.data ;
-  wire [80:0] \write$411 ;
-  wire [8:0] \write$411.addr ;
-  wire [71:0] \write$411.data ;
-  wire [80:0] \write$419 ;
-  wire [8:0] \write$419.addr ;
-  wire [71:0] \write$419.data ;
-  wire [80:0] \write$427 ;
-  wire [8:0] \write$427.addr ;
-  wire [71:0] \write$427.data ;
-  wire [80:0] \write$435 ;
-  wire [8:0] \write$435.addr ;
-  wire [71:0] \write$435.data ;
-  wire [80:0] \write$443 ;
-  wire [8:0] \write$443.addr ;
-  wire [71:0] \write$443.data ;
-  wire [80:0] \write$451 ;
-  wire [8:0] \write$451.addr ;
-  wire [71:0] \write$451.data ;
-  wire [80:0] \write$459 ;
-  wire [8:0] \write$459.addr ;
-  wire [71:0] \write$459.data ;
-  wire [80:0] \write$467 ;
-  wire [8:0] \write$467.addr ;
-  wire [71:0] \write$467.data ;
-  wire [80:0] \write$475 ;
-  wire [8:0] \write$475.addr ;
-  wire [71:0] \write$475.data ;
-  wire [80:0] \write$483 ;
-  wire [8:0] \write$483.addr ;
-  wire [71:0] \write$483.data ;
-  wire [80:0] \write$491 ;
-  wire [8:0] \write$491.addr ;
-  wire [71:0] \write$491.data ;
-  wire [80:0] \write$499 ;
-  wire [8:0] \write$499.addr ;
-  wire [71:0] \write$499.data ;
-  wire [80:0] \write$507 ;
-  wire [8:0] \write$507.addr ;
-  wire [71:0] \write$507.data ;
-  wire [80:0] \write$515 ;
-  wire [8:0] \write$515.addr ;
-  wire [71:0] \write$515.data ;
-  wire [80:0] \write$523 ;
-  wire [8:0] \write$523.addr ;
-  wire [71:0] \write$523.data ;
-  wire [80:0] \write$531 ;
-  wire [8:0] \write$531.addr ;
-  wire [71:0] \write$531.data ;
-  wire [80:0] \write$539 ;
-  wire [8:0] \write$539.addr ;
-  wire [71:0] \write$539.data ;
-  wire [80:0] \write$547 ;
-  wire [8:0] \write$547.addr ;
-  wire [71:0] \write$547.data ;
-  wire [80:0] \write$555 ;
-  wire [8:0] \write$555.addr ;
-  wire [71:0] \write$555.data ;
-  wire [80:0] \write$563 ;
-  wire [8:0] \write$563.addr ;
-  wire [71:0] \write$563.data ;
-  wire [80:0] \write$571 ;
-  wire [8:0] \write$571.addr ;
-  wire [71:0] \write$571.data ;
-  wire [80:0] \write$579 ;
-  wire [8:0] \write$579.addr ;
-  wire [71:0] \write$579.data ;
-  wire [80:0] \write$585 ;
-  wire [8:0] \write$585.addr ;
+  wire [81:0] \write$126 ;
+  wire [9:0] \write$126.addr ;
+  wire [71:0] \write$126.data ;
+  wire [81:0] \write$135 ;
+  wire [9:0] \write$135.addr ;
+  wire [71:0] \write$135.data ;
+  wire [81:0] \write$144 ;
+  wire [9:0] \write$144.addr ;
+  wire [71:0] \write$144.data ;
+  wire [81:0] \write$153 ;
+  wire [9:0] \write$153.addr ;
+  wire [71:0] \write$153.data ;
+  wire [81:0] \write$161 ;
+  wire [9:0] \write$161.addr ;
+  wire [71:0] \write$161.data ;
+  wire [81:0] \write$169 ;
+  wire [9:0] \write$169.addr ;
+  wire [71:0] \write$169.data ;
+  wire [81:0] \write$177 ;
+  wire [9:0] \write$177.addr ;
+  wire [71:0] \write$177.data ;
+  wire [81:0] \write$185 ;
+  wire [9:0] \write$185.addr ;
+  wire [71:0] \write$185.data ;
+  wire [81:0] \write$193 ;
+  wire [9:0] \write$193.addr ;
+  wire [71:0] \write$193.data ;
+  wire [81:0] \write$201 ;
+  wire [9:0] \write$201.addr ;
+  wire [71:0] \write$201.data ;
+  wire [81:0] \write$209 ;
+  wire [9:0] \write$209.addr ;
+  wire [71:0] \write$209.data ;
+  wire [81:0] \write$217 ;
+  wire [9:0] \write$217.addr ;
+  wire [71:0] \write$217.data ;
+  wire [81:0] \write$225 ;
+  wire [9:0] \write$225.addr ;
+  wire [71:0] \write$225.data ;
+  wire [81:0] \write$233 ;
+  wire [9:0] \write$233.addr ;
+  wire [71:0] \write$233.data ;
+  wire [81:0] \write$241 ;
+  wire [9:0] \write$241.addr ;
+  wire [71:0] \write$241.data ;
+  wire [81:0] \write$249 ;
+  wire [9:0] \write$249.addr ;
+  wire [71:0] \write$249.data ;
+  wire [81:0] \write$257 ;
+  wire [9:0] \write$257.addr ;
+  wire [71:0] \write$257.data ;
+  wire [81:0] \write$265 ;
+  wire [9:0] \write$265.addr ;
+  wire [71:0] \write$265.data ;
+  wire [81:0] \write$273 ;
+  wire [9:0] \write$273.addr ;
+  wire [71:0] \write$273.data ;
+  wire [81:0] \write$281 ;
+  wire [9:0] \write$281.addr ;
+  wire [71:0] \write$281.data ;
+  wire [81:0] \write$289 ;
+  wire [9:0] \write$289.addr ;
+  wire [71:0] \write$289.data ;
+  wire [81:0] \write$297 ;
+  wire [9:0] \write$297.addr ;
+  wire [71:0] \write$297.data ;
+  wire [81:0] \write$305 ;
+  wire [9:0] \write$305.addr ;
+  wire [71:0] \write$305.data ;
+  wire [81:0] \write$313 ;
+  wire [9:0] \write$313.addr ;
+  wire [71:0] \write$313.data ;
+  wire [81:0] \write$321 ;
+  wire [9:0] \write$321.addr ;
+  wire [71:0] \write$321.data ;
+  wire [81:0] \write$329 ;
+  wire [9:0] \write$329.addr ;
+  wire [71:0] \write$329.data ;
+  wire [81:0] \write$337 ;
+  wire [9:0] \write$337.addr ;
+  wire [71:0] \write$337.data ;
+  wire [81:0] \write$345 ;
+  wire [9:0] \write$345.addr ;
+  wire [71:0] \write$345.data ;
+  wire [81:0] \write$353 ;
+  wire [9:0] \write$353.addr ;
+  wire [71:0] \write$353.data ;
+  wire [81:0] \write$361 ;
+  wire [9:0] \write$361.addr ;
+  wire [71:0] \write$361.data ;
+  wire [81:0] \write$369 ;
+  wire [9:0] \write$369.addr ;
+  wire [71:0] \write$369.data ;
+  wire [81:0] \write$377 ;
+  wire [9:0] \write$377.addr ;
+  wire [71:0] \write$377.data ;
+  wire [81:0] \write$385 ;
+  wire [9:0] \write$385.addr ;
+  wire [71:0] \write$385.data ;
+  wire [81:0] \write$393 ;
+  wire [9:0] \write$393.addr ;
+  wire [71:0] \write$393.data ;
+  wire [81:0] \write$401 ;
+  wire [9:0] \write$401.addr ;
+  wire [71:0] \write$401.data ;
+  wire [81:0] \write$409 ;
+  wire [9:0] \write$409.addr ;
+  wire [71:0] \write$409.data ;
+  wire [81:0] \write$417 ;
+  wire [9:0] \write$417.addr ;
+  wire [71:0] \write$417.data ;
+  wire [81:0] \write$425 ;
+  wire [9:0] \write$425.addr ;
+  wire [71:0] \write$425.data ;
+  wire [81:0] \write$433 ;
+  wire [9:0] \write$433.addr ;
+  wire [71:0] \write$433.data ;
+  wire [81:0] \write$441 ;
+  wire [9:0] \write$441.addr ;
+  wire [71:0] \write$441.data ;
+  wire [81:0] \write$449 ;
+  wire [9:0] \write$449.addr ;
+  wire [71:0] \write$449.data ;
+  wire [81:0] \write$457 ;
+  wire [9:0] \write$457.addr ;
+  wire [71:0] \write$457.data ;
+  wire [81:0] \write$465 ;
+  wire [9:0] \write$465.addr ;
+  wire [71:0] \write$465.data ;
+  wire [81:0] \write$473 ;
+  wire [9:0] \write$473.addr ;
+  wire [71:0] \write$473.data ;
+  wire [81:0] \write$481 ;
+  wire [9:0] \write$481.addr ;
+  wire [71:0] \write$481.data ;
+  wire [81:0] \write$489 ;
+  wire [9:0] \write$489.addr ;
+  wire [71:0] \write$489.data ;
+  wire [81:0] \write$497 ;
+  wire [9:0] \write$497.addr ;
+  wire [71:0] \write$497.data ;
+  wire [81:0] \write$505 ;
+  wire [9:0] \write$505.addr ;
+  wire [71:0] \write$505.data ;
+  wire [81:0] \write$513 ;
+  wire [9:0] \write$513.addr ;
+  wire [71:0] \write$513.data ;
+  wire [81:0] \write$521 ;
+  wire [9:0] \write$521.addr ;
+  wire [71:0] \write$521.data ;
+  wire [81:0] \write$529 ;
+  wire [9:0] \write$529.addr ;
+  wire [71:0] \write$529.data ;
+  wire [81:0] \write$537 ;
+  wire [9:0] \write$537.addr ;
+  wire [71:0] \write$537.data ;
+  wire [81:0] \write$545 ;
+  wire [9:0] \write$545.addr ;
+  wire [71:0] \write$545.data ;
+  wire [81:0] \write$553 ;
+  wire [9:0] \write$553.addr ;
+  wire [71:0] \write$553.data ;
+  wire [81:0] \write$561 ;
+  wire [9:0] \write$561.addr ;
+  wire [71:0] \write$561.data ;
+  wire [81:0] \write$569 ;
+  wire [9:0] \write$569.addr ;
+  wire [71:0] \write$569.data ;
+  wire [81:0] \write$577 ;
+  wire [9:0] \write$577.addr ;
+  wire [71:0] \write$577.data ;
+  wire [81:0] \write$585 ;
+  wire [9:0] \write$585.addr ;
   wire [71:0] \write$585.data ;
-  wire [80:0] \write$591 ;
-  wire [8:0] \write$591.addr ;
-  wire [71:0] \write$591.data ;
-  wire [80:0] \write$597 ;
-  wire [8:0] \write$597.addr ;
-  wire [71:0] \write$597.data ;
-  wire [80:0] \write$91 ;
-  wire [8:0] \write$91.addr ;
-  wire [71:0] \write$91.data ;
+  wire [81:0] \write$593 ;
+  wire [9:0] \write$593.addr ;
+  wire [71:0] \write$593.data ;
+  wire [81:0] \write$601 ;
+  wire [9:0] \write$601.addr ;
+  wire [71:0] \write$601.data ;
+  wire [81:0] \write$607 ;
+  wire [9:0] \write$607.addr ;
+  wire [71:0] \write$607.data ;
+  wire [81:0] \write$613 ;
+  wire [9:0] \write$613.addr ;
+  wire [71:0] \write$613.data ;
+  wire [81:0] \write$619 ;
+  wire [9:0] \write$619.addr ;
+  wire [71:0] \write$619.data ;
   wire [7:0] \write.addr ;
-  wire [535:0] \write.data ;
+  wire [671:0] \write.data ;
   wire write_en;
-  wire \write_en$103 ;
-  wire \write_en$112 ;
-  wire \write_en$121 ;
-  wire \write_en$130 ;
-  wire \write_en$138 ;
-  wire \write_en$146 ;
-  wire \write_en$154 ;
-  wire \write_en$162 ;
-  wire \write_en$170 ;
-  wire \write_en$178 ;
-  wire \write_en$186 ;
-  wire \write_en$194 ;
-  wire \write_en$202 ;
-  wire \write_en$210 ;
-  wire \write_en$218 ;
-  wire \write_en$226 ;
-  wire \write_en$234 ;
-  wire \write_en$242 ;
-  wire \write_en$250 ;
-  wire \write_en$258 ;
-  wire \write_en$266 ;
-  wire \write_en$274 ;
-  wire \write_en$282 ;
-  wire \write_en$290 ;
-  wire \write_en$298 ;
-  wire \write_en$306 ;
-  wire \write_en$314 ;
-  wire \write_en$322 ;
-  wire \write_en$330 ;
-  wire \write_en$338 ;
-  wire \write_en$346 ;
-  wire \write_en$354 ;
-  wire \write_en$362 ;
-  wire \write_en$370 ;
-  wire \write_en$378 ;
-  wire \write_en$386 ;
-  wire \write_en$394 ;
-  wire \write_en$402 ;
-  wire \write_en$410 ;
-  wire \write_en$418 ;
-  wire \write_en$426 ;
-  wire \write_en$434 ;
-  wire \write_en$442 ;
-  wire \write_en$450 ;
-  wire \write_en$458 ;
-  wire \write_en$466 ;
-  wire \write_en$474 ;
-  wire \write_en$482 ;
-  wire \write_en$490 ;
-  wire \write_en$498 ;
-  wire \write_en$506 ;
-  wire \write_en$514 ;
-  wire \write_en$522 ;
-  wire \write_en$530 ;
-  wire \write_en$538 ;
-  wire \write_en$546 ;
-  wire \write_en$554 ;
-  wire \write_en$562 ;
-  wire \write_en$570 ;
-  wire \write_en$578 ;
+  wire \write_en$111 ;
+  wire \write_en$125 ;
+  wire \write_en$134 ;
+  wire \write_en$143 ;
+  wire \write_en$152 ;
+  wire \write_en$160 ;
+  wire \write_en$168 ;
+  wire \write_en$176 ;
+  wire \write_en$184 ;
+  wire \write_en$192 ;
+  wire \write_en$200 ;
+  wire \write_en$208 ;
+  wire \write_en$216 ;
+  wire \write_en$224 ;
+  wire \write_en$232 ;
+  wire \write_en$240 ;
+  wire \write_en$248 ;
+  wire \write_en$256 ;
+  wire \write_en$264 ;
+  wire \write_en$272 ;
+  wire \write_en$280 ;
+  wire \write_en$288 ;
+  wire \write_en$296 ;
+  wire \write_en$304 ;
+  wire \write_en$312 ;
+  wire \write_en$320 ;
+  wire \write_en$328 ;
+  wire \write_en$336 ;
+  wire \write_en$344 ;
+  wire \write_en$352 ;
+  wire \write_en$360 ;
+  wire \write_en$368 ;
+  wire \write_en$376 ;
+  wire \write_en$384 ;
+  wire \write_en$392 ;
+  wire \write_en$400 ;
+  wire \write_en$408 ;
+  wire \write_en$416 ;
+  wire \write_en$424 ;
+  wire \write_en$432 ;
+  wire \write_en$440 ;
+  wire \write_en$448 ;
+  wire \write_en$456 ;
+  wire \write_en$464 ;
+  wire \write_en$472 ;
+  wire \write_en$480 ;
+  wire \write_en$488 ;
+  wire \write_en$496 ;
+  wire \write_en$504 ;
+  wire \write_en$512 ;
+  wire \write_en$520 ;
+  wire \write_en$528 ;
+  wire \write_en$536 ;
+  wire \write_en$544 ;
+  wire \write_en$552 ;
+  wire \write_en$560 ;
+  wire \write_en$568 ;
+  wire \write_en$576 ;
   wire \write_en$584 ;
-  wire \write_en$590 ;
-  wire \write_en$596 ;
-  wire \write_en$89 ;
-  assign \$22  = | \wait ;
-  assign \$23  = \wait  - 1'h1;
-  assign \$24  = \wait  == 1'h1;
-  assign \$25  = ! error;
-  assign \$26  = | \port$1022$0 [2:0];
-  assign \$27  = ~ busy;
-  assign \$28  = \$26  & \$27 ;
-  assign \$29  = \port$1022$0 [2:0] - 1'h1;
-  assign \$30  = { 1'h0, \port$1022$0 [2:0] } & \$29 ;
-  assign \$31  = ! \$30 ;
-  assign \$32  = ~ \$31 ;
-  assign \$33  = \port$1022$0 [1] | \port$1022$0 [2];
-  assign \$34  = ! words;
-  assign \$35  = \port$1022$0 [2] ? 10'h100 : 10'h200;
-  assign \$36  = words > \$35 ;
-  assign \$37  = \$34  | \$36 ;
-  assign \$38  = \$33  & \$37 ;
-  assign \$39  = \$32  | \$38 ;
-  assign \$40  = running & \o__valid$51 ;
-  assign \$41  = \$40  & \o__ready$49 ;
-  assign \$42  = \$41  & \o__payload$47 [64];
-  assign \$43  = ! \error$608 ;
-  assign \$44  = cycles + 1'h1;
-  assign \$45  = ~ \$signal$621 ;
-  assign \$46  = ~ flushing;
-  assign \$47  = blocked & \$46 ;
-  assign \$48  = mac_cycles + 1'h1;
-  assign \$49  = fill_cycles + 1'h1;
-  assign \$50  = input_stalls + 1'h1;
-  assign \$51  = output_stalls + 1'h1;
-  assign \$52  = drain_cycles + 1'h1;
+  wire \write_en$592 ;
+  wire \write_en$600 ;
+  wire \write_en$606 ;
+  wire \write_en$612 ;
+  wire \write_en$618 ;
+  assign \$22  = \$signal$623  | \$signal$626 ;
+  assign \$23  = ~ ended;
+  assign \$signal$625  = \$22  & \$23 ;
+  assign \$24  = \port$1170$0 [2:0] - 1'h1;
+  assign \$25  = { 1'h0, \port$1170$0 [2:0] } & \$24 ;
+  assign \$26  = | \$25 ;
+  assign \$27  = | \wait ;
+  assign \$28  = \wait  - 1'h1;
+  assign \$29  = \wait  == 1'h1;
+  assign \$30  = \o__valid$69  & \o__ready$67 ;
+  assign \$31  = \$30  & \o__payload$65 [64];
+  assign \$32  = running & delivered;
+  assign \$33  = ~ open;
+  assign \$34  = \$32  & \$33 ;
+  assign \$35  = \$signal$33  & idle;
+  assign \$36  = ! \error$633 ;
+  assign \$37  = | \$signal$35 ;
+  assign \$38  = | verdict;
+  assign \$39  = cycles + 1'h1;
+  assign \$40  = ~ \$signal$645 ;
+  assign \$41  = ~ flushing;
+  assign \$42  = blocked & \$41 ;
+  assign \$43  = mac_cycles + 1'h1;
+  assign \$44  = fill_cycles + 1'h1;
+  assign \$45  = input_stalls + 1'h1;
+  assign \$46  = output_stalls + 1'h1;
+  assign \$47  = drain_cycles + 1'h1;
   always @(posedge clk)
-    \wait  <= \$53 ;
+    \wait  <= \$48 ;
   always @(posedge clk)
-    running <= \$54 ;
+    done <= \$49 ;
   always @(posedge clk)
-    \error$608  <= \$55 ;
+    running <= \$50 ;
   always @(posedge clk)
-    done <= \$56 ;
+    delivered <= \$51 ;
   always @(posedge clk)
-    control0 <= \$57 ;
+    \error$633  <= \$52 ;
   always @(posedge clk)
-    info0 <= step[41:32];
+    control0 <= \$53 ;
   always @(posedge clk)
-    control1 <= \$58 ;
+    info0 <= step[43:33];
+  always @(posedge clk)
+    control1 <= \$54 ;
   always @(posedge clk)
     info1 <= info0;
   always @(posedge clk)
-    control2 <= \$59 ;
+    control2 <= \$55 ;
   always @(posedge clk)
     info2 <= info1;
   always @(posedge clk)
-    control3 <= \$60 ;
+    control3 <= \$56 ;
   always @(posedge clk)
     info <= info2;
   always @(posedge clk)
-    \$signal$604  <= \$61 ;
+    \$signal$626  <= \$57 ;
   always @(posedge clk)
-    \$signal$621  <= \$62 ;
+    \$signal$645  <= \$58 ;
   always @(posedge clk)
-    ended <= \$63 ;
+    ended <= \$59 ;
   always @(posedge clk)
-    cycles <= \$64 ;
+    cycles <= \$60 ;
   always @(posedge clk)
-    mac_cycles <= \$65 ;
+    mac_cycles <= \$61 ;
   always @(posedge clk)
-    fill_cycles <= \$66 ;
+    fill_cycles <= \$62 ;
   always @(posedge clk)
-    input_stalls <= \$67 ;
+    input_stalls <= \$63 ;
   always @(posedge clk)
-    output_stalls <= \$68 ;
+    output_stalls <= \$64 ;
   always @(posedge clk)
-    drain_cycles <= \$69 ;
-  assign \$1  = running | \busy$16 ;
-  assign \$2  = | \wait ;
-  assign busy = \$1  | \$2 ;
-  assign \$3  = \wait  == 1'h1;
-  assign \$4  = ! error;
-  assign start = \$3  & \$4 ;
-  assign \$5  = | \port$1022$0 [2:0];
-  assign \$6  = ~ busy;
-  assign \$7  = \$5  & \$6 ;
-  assign \$8  = \port$1022$0 [2:0] - 1'h1;
-  assign \$9  = { 1'h0, \port$1022$0 [2:0] } & \$8 ;
-  assign \$10  = ! \$9 ;
-  assign \$11  = ~ \$10 ;
-  assign \$12  = \port$1022$0 [1] | \port$1022$0 [2];
-  assign \$13  = ! words;
-  assign \$14  = \port$1022$0 [2] ? 10'h100 : 10'h200;
-  assign \$15  = words > \$14 ;
-  assign \$16  = \$13  | \$15 ;
-  assign \$17  = \$12  & \$16 ;
-  assign \$18  = \$11  | \$17 ;
+    drain_cycles <= \$65 ;
+  assign \$1  = | \wait ;
+  assign busy = running | \$1 ;
+  assign \$signal  = loading ? to_requant : \port$1170$0 [2];
+  assign load_end = base + words;
+  assign \$2  = \$signal  ? 11'h100 : 11'h400;
+  assign \$signal$29  = load_end > \$2 ;
+  assign \$3  = \$signal  ? { 2'h0, requant_end } : weight_end;
+  assign \$4  = base < \$3 ;
+  assign \$5  = \$signal  ? requant_base : weight_base;
+  assign \$6  = load_end > \$5 ;
+  assign overlaps = \$4  & \$6 ;
+  assign \$signal$33  = | \port$1170$0 [2:0];
+  assign \$7  = ~ busy;
+  assign \$8  = ~ loading;
+  assign idle = \$7  & \$8 ;
+  assign \$9  = \port$1170$0 [2:0] - 1'h1;
+  assign \$10  = { 1'h0, \port$1170$0 [2:0] } & \$9 ;
+  assign \$11  = | \$10 ;
+  assign \$12  = ! words;
+  assign \$13  = \$12  | \$signal$29 ;
+  assign \$14  = busy & overlaps;
+  assign \$15  = \$13  | \$14 ;
+  assign \$16  = \wait  == 1'h1;
+  assign \$17  = ! error;
+  assign \$18  = \$17  & loading;
+  assign \$19  = \$18  & overlaps;
+  assign \$20  = ! verdict;
   assign finished = control3[0] & control3[2];
-  assign \$signal  = i__valid & i__ready;
-  assign \$19  = \o__valid$51  & \o__ready$49 ;
-  assign last_beat = \$19  & \o__payload$47 [64];
-  assign \$20  = \$signal  | \$signal$604 ;
-  assign \$21  = ~ ended;
-  assign \$signal$603  = \$20  & \$21 ;
+  assign \$signal$623  = i__valid & i__ready;
+  assign \$21  = \o__valid$69  & \o__ready$67 ;
+  assign last_beat = \$21  & \o__payload$65 [64];
   \macram_top.array.decoder  decoder (
     .c_in(c_in),
     .c_out(c_out),
@@ -2324,98 +2426,107 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .error(error),
     .height(height),
     .mode(mode),
+    .requant_base(requant_base),
+    .requant_end(requant_end),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1170$0 [3]),
+    .weight_base(weight_base),
+    .weight_end(weight_end),
     .width(width)
   );
   \macram_top.array.drain  drain (
     .clk(clk),
     .credit(credit),
     .finished(finished),
-    .\heads$59 (heads),
+    .\heads$60 (heads),
     .info(info),
-    .o__payload(\i__payload$41 ),
-    .o__ready(\o__ready$43 ),
-    .reload__addr(\$71 ),
-    .reload__data(\$72 ),
+    .o__payload(\i__payload$59 ),
+    .o__ready(\o__ready$61 ),
+    .reload__addr(\$67 ),
+    .reload__data(\$68 ),
     .reload__en(write_en),
+    .requant_base(requant_base[7:0]),
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1170$0 [3]),
     .start(start),
-    .valid(\i__valid$45 )
+    .valid(\i__valid$63 )
   );
   \macram_top.array.emit  emit (
-    .beats_per_pixel(shape[132:117]),
+    .beats_per_pixel(shape[163:148]),
     .clk(clk),
-    .i__payload(\i__payload$41 ),
-    .i__ready(\o__ready$43 ),
-    .i__valid(\i__valid$45 ),
-    .o__payload(\o__payload$47 ),
-    .o__ready(\o__ready$49 ),
-    .o__valid(\o__valid$51 ),
+    .i__payload(\i__payload$59 ),
+    .i__ready(\o__ready$61 ),
+    .i__valid(\i__valid$63 ),
+    .o__payload(\o__payload$65 ),
+    .o__ready(\o__ready$67 ),
+    .o__valid(\o__valid$69 ),
     .rst(rst),
-    .soft_reset(\port$1022$0 [3])
+    .soft_reset(\port$1170$0 [3])
   );
   \macram_top.array.frame  frame (
     .clk(clk),
-    .error(\error$612 ),
+    .error(\error$636 ),
     .fault(fault),
     .i__payload(i__payload),
     .i__ready(i__ready),
     .i__valid(i__valid),
     .o__ready(o__ready),
-    .o__valid(\i__valid$33 ),
+    .o__valid(\i__valid$51 ),
+    .open(open),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1170$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
-    .beats_per_pixel(shape[116:101]),
+    .beats_per_pixel(shape[147:132]),
     .clk(clk),
     .i__payload(i__payload[63:0]),
     .i__ready(o__ready),
-    .i__valid(\i__valid$33 ),
-    .o__payload(\i__payload$35 ),
-    .o__ready(\o__ready$37 ),
-    .o__valid(\i__valid$39 ),
-    .\port$1096$63 (shape[76:63]),
+    .i__valid(\i__valid$51 ),
+    .o__payload(\i__payload$53 ),
+    .o__ready(\o__ready$55 ),
+    .o__valid(\i__valid$57 ),
+    .\port$1255$79 (shape[92:79]),
     .rst(rst),
-    .soft_reset(\port$1022$0 [3])
+    .soft_reset(\port$1170$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
     .group_written(group_written),
-    .i__payload(\i__payload$35 ),
-    .i__ready(\o__ready$37 ),
-    .i__valid(\i__valid$39 ),
+    .i__payload(\i__payload$53 ),
+    .i__ready(\o__ready$55 ),
+    .i__valid(\i__valid$57 ),
     .image_written(image_written),
     .read(step[14:0]),
     .retire(retire),
+    .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1170$0 [3]),
     .start(start),
     .word(activations)
   );
   \macram_top.array.loader  loader (
+    .base(base),
     .clk(clk),
-    .error(\error$613 ),
-    .fault(\fault$611 ),
-    .i__payload(\i__payload$53 ),
-    .i__ready(\busy$16 ),
-    .i__valid(\i__valid$57 ),
-    .\port$1305$0 (\$70 ),
-    .\port$1307$0 (\$71 ),
-    .\port$1309$0 (\$72 ),
+    .error(\error$637 ),
+    .fault(\fault$635 ),
+    .i__payload(\i__payload$71 ),
+    .i__ready(loading),
+    .i__valid(\i__valid$75 ),
+    .\port$1507$0 (\$66 ),
+    .\port$1509$0 (\$67 ),
+    .\port$1511$0 (\$68 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1170$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
+    .to_requant(to_requant),
     .unit_en(unit_en),
     .words(words)
   );
@@ -2428,15 +2539,17 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .image_written(image_written),
     .issue(issue),
     .retire(retire),
+    .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1170$0 [3]),
     .start(start),
     .starved(starved),
-    .\step$37 (step)
+    .\step$45 (step),
+    .weight_base(weight_base[9:0])
   );
   \macram_top.array.unit000  unit000 (
-    .address(step[23:15]),
+    .address(step[24:15]),
     .chain_o(chain_o),
     .clk(clk),
     .core__activations(activations),
@@ -2444,1133 +2557,1192 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[0])
   );
   \macram_top.array.unit001  unit001 (
-    .address(step[23:15]),
-    .chain_o(\chain_o$108 ),
+    .address(step[24:15]),
+    .chain_o(\chain_o$130 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$109 ),
+    .core__chain_i(\chain_i$131 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[1])
   );
   \macram_top.array.unit002  unit002 (
-    .address(step[23:15]),
-    .chain_o(\chain_o$117 ),
+    .address(step[24:15]),
+    .chain_o(\chain_o$139 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$118 ),
+    .core__chain_i(\chain_i$140 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[2])
   );
   \macram_top.array.unit003  unit003 (
-    .address(step[23:15]),
-    .chain_o(\chain_o$126 ),
+    .address(step[24:15]),
+    .chain_o(\chain_o$148 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$127 ),
+    .core__chain_i(\chain_i$149 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[3])
   );
   \macram_top.array.unit004  unit004 (
-    .address(step[23:15]),
+    .address(step[24:15]),
     .chain_o(chain_i),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$135 ),
+    .core__chain_i(\chain_i$157 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[4])
   );
   \macram_top.array.unit005  unit005 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$109 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$131 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$143 ),
+    .core__chain_i(\chain_i$165 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[5])
   );
   \macram_top.array.unit006  unit006 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$118 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$140 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$151 ),
+    .core__chain_i(\chain_i$173 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[6])
   );
   \macram_top.array.unit007  unit007 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$127 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$149 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$159 ),
+    .core__chain_i(\chain_i$181 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[7])
   );
   \macram_top.array.unit008  unit008 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$135 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$157 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$167 ),
+    .core__chain_i(\chain_i$189 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[8])
   );
   \macram_top.array.unit009  unit009 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$143 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$165 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$175 ),
+    .core__chain_i(\chain_i$197 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[9])
   );
   \macram_top.array.unit010  unit010 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$151 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$173 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$183 ),
+    .core__chain_i(\chain_i$205 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[10])
   );
   \macram_top.array.unit011  unit011 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$159 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$181 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$191 ),
+    .core__chain_i(\chain_i$213 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[11])
   );
   \macram_top.array.unit012  unit012 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$167 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$189 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$199 ),
+    .core__chain_i(\chain_i$221 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[12])
   );
   \macram_top.array.unit013  unit013 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$175 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$197 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$207 ),
+    .core__chain_i(\chain_i$229 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[13])
   );
   \macram_top.array.unit014  unit014 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$183 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$205 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$215 ),
+    .core__chain_i(\chain_i$237 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[14])
   );
   \macram_top.array.unit015  unit015 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$191 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$213 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$223 ),
+    .core__chain_i(\chain_i$245 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[15])
   );
   \macram_top.array.unit016  unit016 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$199 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$221 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$231 ),
+    .core__chain_i(\chain_i$253 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[16])
   );
   \macram_top.array.unit017  unit017 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$207 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$229 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$239 ),
+    .core__chain_i(\chain_i$261 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[17])
   );
   \macram_top.array.unit018  unit018 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$215 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$237 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$247 ),
+    .core__chain_i(\chain_i$269 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[18])
   );
   \macram_top.array.unit019  unit019 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$223 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$245 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$255 ),
+    .core__chain_i(\chain_i$277 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[19])
   );
   \macram_top.array.unit020  unit020 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$231 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$253 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$263 ),
+    .core__chain_i(\chain_i$285 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[20])
   );
   \macram_top.array.unit021  unit021 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$239 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$261 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$271 ),
+    .core__chain_i(\chain_i$293 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[21])
   );
   \macram_top.array.unit022  unit022 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$247 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$269 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$279 ),
+    .core__chain_i(\chain_i$301 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[22])
   );
   \macram_top.array.unit023  unit023 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$255 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$277 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$287 ),
+    .core__chain_i(\chain_i$309 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[23])
   );
   \macram_top.array.unit024  unit024 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$263 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$285 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$295 ),
+    .core__chain_i(\chain_i$317 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[24])
   );
   \macram_top.array.unit025  unit025 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$271 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$293 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$303 ),
+    .core__chain_i(\chain_i$325 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[25])
   );
   \macram_top.array.unit026  unit026 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$279 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$301 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$311 ),
+    .core__chain_i(\chain_i$333 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[26])
   );
   \macram_top.array.unit027  unit027 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$287 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$309 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$319 ),
+    .core__chain_i(\chain_i$341 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[27])
   );
   \macram_top.array.unit028  unit028 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$295 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$317 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$327 ),
+    .core__chain_i(\chain_i$349 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[28])
   );
   \macram_top.array.unit029  unit029 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$303 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$325 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$335 ),
+    .core__chain_i(\chain_i$357 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[29])
   );
   \macram_top.array.unit030  unit030 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$311 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$333 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$343 ),
+    .core__chain_i(\chain_i$365 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[30])
   );
   \macram_top.array.unit031  unit031 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$319 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$341 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$351 ),
+    .core__chain_i(\chain_i$373 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[31])
   );
   \macram_top.array.unit032  unit032 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$327 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$349 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$359 ),
+    .core__chain_i(\chain_i$381 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[32])
   );
   \macram_top.array.unit033  unit033 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$335 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$357 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$367 ),
+    .core__chain_i(\chain_i$389 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[33])
   );
   \macram_top.array.unit034  unit034 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$343 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$365 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$375 ),
+    .core__chain_i(\chain_i$397 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[34])
   );
   \macram_top.array.unit035  unit035 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$351 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$373 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$383 ),
+    .core__chain_i(\chain_i$405 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[35])
   );
   \macram_top.array.unit036  unit036 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$359 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$381 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$391 ),
+    .core__chain_i(\chain_i$413 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[36])
   );
   \macram_top.array.unit037  unit037 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$367 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$389 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$399 ),
+    .core__chain_i(\chain_i$421 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[37])
   );
   \macram_top.array.unit038  unit038 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$375 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$397 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$407 ),
+    .core__chain_i(\chain_i$429 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[38])
   );
   \macram_top.array.unit039  unit039 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$383 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$405 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$415 ),
+    .core__chain_i(\chain_i$437 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[39])
   );
   \macram_top.array.unit040  unit040 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$391 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$413 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$423 ),
+    .core__chain_i(\chain_i$445 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[40])
   );
   \macram_top.array.unit041  unit041 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$399 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$421 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$431 ),
+    .core__chain_i(\chain_i$453 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[41])
   );
   \macram_top.array.unit042  unit042 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$407 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$429 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$439 ),
+    .core__chain_i(\chain_i$461 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[42])
   );
   \macram_top.array.unit043  unit043 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$415 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$437 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$447 ),
+    .core__chain_i(\chain_i$469 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[43])
   );
   \macram_top.array.unit044  unit044 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$423 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$445 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$455 ),
+    .core__chain_i(\chain_i$477 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[44])
   );
   \macram_top.array.unit045  unit045 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$431 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$453 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$463 ),
+    .core__chain_i(\chain_i$485 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[45])
   );
   \macram_top.array.unit046  unit046 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$439 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$461 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$471 ),
+    .core__chain_i(\chain_i$493 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[46])
   );
   \macram_top.array.unit047  unit047 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$447 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$469 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$479 ),
+    .core__chain_i(\chain_i$501 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[47])
   );
   \macram_top.array.unit048  unit048 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$455 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$477 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$487 ),
+    .core__chain_i(\chain_i$509 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[48])
   );
   \macram_top.array.unit049  unit049 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$463 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$485 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$495 ),
+    .core__chain_i(\chain_i$517 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[49])
   );
   \macram_top.array.unit050  unit050 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$471 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$493 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$503 ),
+    .core__chain_i(\chain_i$525 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[50])
   );
   \macram_top.array.unit051  unit051 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$479 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$501 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$511 ),
+    .core__chain_i(\chain_i$533 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[51])
   );
   \macram_top.array.unit052  unit052 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$487 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$509 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$519 ),
+    .core__chain_i(\chain_i$541 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[52])
   );
   \macram_top.array.unit053  unit053 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$495 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$517 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$527 ),
+    .core__chain_i(\chain_i$549 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[53])
   );
   \macram_top.array.unit054  unit054 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$503 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$525 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$535 ),
+    .core__chain_i(\chain_i$557 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[54])
   );
   \macram_top.array.unit055  unit055 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$511 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$533 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$543 ),
+    .core__chain_i(\chain_i$565 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[55])
   );
   \macram_top.array.unit056  unit056 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$519 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$541 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$551 ),
+    .core__chain_i(\chain_i$573 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[56])
   );
   \macram_top.array.unit057  unit057 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$527 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$549 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$559 ),
+    .core__chain_i(\chain_i$581 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[57])
   );
   \macram_top.array.unit058  unit058 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$535 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$557 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$567 ),
+    .core__chain_i(\chain_i$589 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[58])
   );
   \macram_top.array.unit059  unit059 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$543 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$565 ),
     .clk(clk),
     .core__activations(activations),
-    .core__chain_i(\chain_i$575 ),
+    .core__chain_i(\chain_i$597 ),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[59])
   );
   \macram_top.array.unit060  unit060 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$551 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$573 ),
     .clk(clk),
     .core__activations(activations),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[60])
   );
   \macram_top.array.unit061  unit061 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$559 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$581 ),
     .clk(clk),
     .core__activations(activations),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[61])
   );
   \macram_top.array.unit062  unit062 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$567 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$589 ),
     .clk(clk),
     .core__activations(activations),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[62])
   );
   \macram_top.array.unit063  unit063 (
-    .address(step[23:15]),
-    .chain_o(\chain_i$575 ),
+    .address(step[24:15]),
+    .chain_o(\chain_i$597 ),
     .clk(clk),
     .core__activations(activations),
     .core__control(control3),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$70 ),
-    .write__data(\$72 [519:448]),
+    .write__addr(\$66 ),
+    .write__data(\$68 [647:576]),
     .write__en(unit_en[63])
   );
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$signal$35  = 3'h0;
+    if (\$11 ) begin
+      \$signal$35  = 3'h5;
+    end else if (\port$1170$0 [0]) begin
+      if (busy) begin
+        \$signal$35  = 3'h5;
+      end
+    end else if (\$signal$33 ) begin
+      if (loading) begin
+        \$signal$35  = 3'h5;
+      end else if (\$15 ) begin
+        \$signal$35  = 3'h6;
+      end
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_weights = 1'h0;
-    if (\$7 ) begin
+    if (\$11 ) begin
+    end else if (\port$1170$0 [0]) begin
+    end else if (\$signal$33 ) begin
       (* full_case = 32'd1 *)
-      if (\$18 ) begin
-      end else if (\port$1022$0 [0]) begin
+      if (loading) begin
+      end else if (\$15 ) begin
       end else begin
-        start_weights = \port$1022$0 [1];
+        start_weights = \port$1170$0 [1];
       end
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_requant = 1'h0;
-    if (\$7 ) begin
+    if (\$11 ) begin
+    end else if (\port$1170$0 [0]) begin
+    end else if (\$signal$33 ) begin
       (* full_case = 32'd1 *)
-      if (\$18 ) begin
-      end else if (\port$1022$0 [0]) begin
+      if (loading) begin
+      end else if (\$15 ) begin
       end else begin
-        start_requant = \port$1022$0 [2];
+        start_requant = \port$1170$0 [2];
       end
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$53  = \wait ;
-    if (\$22 ) begin
-      \$53  = \$23 [1:0];
-    end
-    if (\$28 ) begin
-      if (\$39 ) begin
-      end else if (\port$1022$0 [0]) begin
-        \$53  = 2'h2;
+    verdict = 3'h0;
+    if (\$16 ) begin
+      (* full_case = 32'd1 *)
+      if (\$19 ) begin
+        verdict = 3'h6;
+      end else begin
+        verdict = error;
       end
     end
-    if (\port$1022$0 [3]) begin
-      \$53  = 2'h0;
-    end
-    if (rst) begin
-      \$53  = 2'h0;
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    start = 1'h0;
+    if (\$16 ) begin
+      start = \$20 ;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$54  = running;
-    if (\$22 ) begin
-      if (\$24 ) begin
-        \$54  = \$25 ;
+    \$48  = \wait ;
+    if (\$26 ) begin
+    end else if (\port$1170$0 [0]) begin
+      (* full_case = 32'd1 *)
+      if (busy) begin
+      end else begin
+        \$48  = 2'h3;
       end
     end
-    if (\$42 ) begin
-      \$54  = 1'h0;
+    if (\$27 ) begin
+      \$48  = \$28 [1:0];
     end
-    if (\port$1022$0 [3]) begin
-      \$54  = 1'h0;
+    if (\port$1170$0 [3]) begin
+      \$48  = 2'h0;
     end
     if (rst) begin
-      \$54  = 1'h0;
+      \$48  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$55  = \error$608 ;
-    if (\$22 ) begin
-      if (\$24 ) begin
-        \$55  = error;
+    \$49  = done;
+    if (\$26 ) begin
+    end else if (\port$1170$0 [0]) begin
+      (* full_case = 32'd1 *)
+      if (busy) begin
+      end else begin
+        \$49  = 1'h0;
       end
     end
-    if (\$28 ) begin
-      \$55  = 3'h0;
-      if (\$39 ) begin
-        \$55  = 3'h5;
+    if (\$34 ) begin
+      \$49  = 1'h1;
+    end
+    if (\$35 ) begin
+      \$49  = 1'h0;
+    end
+    if (\port$1170$0 [3]) begin
+      \$49  = 1'h0;
+    end
+    if (rst) begin
+      \$49  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$50  = running;
+    if (\$29 ) begin
+      \$50  = start;
+    end
+    if (\$34 ) begin
+      \$50  = 1'h0;
+    end
+    if (\port$1170$0 [3]) begin
+      \$50  = 1'h0;
+    end
+    if (rst) begin
+      \$50  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$51  = delivered;
+    if (\$31 ) begin
+      \$51  = 1'h1;
+    end
+    if (\$34 ) begin
+      \$51  = 1'h0;
+    end
+    if (\port$1170$0 [3]) begin
+      \$51  = 1'h0;
+    end
+    if (rst) begin
+      \$51  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$52  = \error$633 ;
+    if (\$35 ) begin
+      \$52  = \$signal$35 ;
+    end else if (\$36 ) begin
+      if (\$37 ) begin
+        \$52  = \$signal$35 ;
+      end else if (\$38 ) begin
+        \$52  = verdict;
+      end else if (fault) begin
+        \$52  = \error$636 ;
+      end else if (\fault$635 ) begin
+        \$52  = \error$637 ;
       end
     end
-    if (\$43 ) begin
-      if (fault) begin
-        \$55  = \error$612 ;
-      end else if (\fault$611 ) begin
-        \$55  = \error$613 ;
-      end
-    end
-    if (\port$1022$0 [3]) begin
-      \$55  = 3'h0;
+    if (\port$1170$0 [3]) begin
+      \$52  = 3'h0;
     end
     if (rst) begin
-      \$55  = 3'h0;
+      \$52  = 3'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$56  = done;
-    if (\$28 ) begin
-      \$56  = 1'h0;
-    end
-    if (\$42 ) begin
-      \$56  = 1'h1;
-    end
-    if (\port$1022$0 [3]) begin
-      \$56  = 1'h0;
+    \$53  = step[32:25];
+    if (\port$1170$0 [3]) begin
+      \$53  = 8'h00;
     end
     if (rst) begin
-      \$56  = 1'h0;
+      \$53  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$57  = step[31:24];
-    if (\port$1022$0 [3]) begin
-      \$57  = 8'h00;
+    \$54  = control0;
+    if (\port$1170$0 [3]) begin
+      \$54  = 8'h00;
     end
     if (rst) begin
-      \$57  = 8'h00;
+      \$54  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$58  = control0;
-    if (\port$1022$0 [3]) begin
-      \$58  = 8'h00;
+    \$55  = control1;
+    if (\port$1170$0 [3]) begin
+      \$55  = 8'h00;
     end
     if (rst) begin
-      \$58  = 8'h00;
+      \$55  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$59  = control1;
-    if (\port$1022$0 [3]) begin
-      \$59  = 8'h00;
+    \$56  = control2;
+    if (\port$1170$0 [3]) begin
+      \$56  = 8'h00;
     end
     if (rst) begin
-      \$59  = 8'h00;
+      \$56  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$60  = control2;
-    if (\port$1022$0 [3]) begin
-      \$60  = 8'h00;
-    end
-    if (rst) begin
-      \$60  = 8'h00;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$61  = \$signal$604 ;
-    if (\$signal ) begin
-      \$61  = 1'h1;
+    \$57  = \$signal$626 ;
+    if (\$signal$623 ) begin
+      \$57  = 1'h1;
     end
     if (start) begin
-      \$61  = 1'h0;
+      \$57  = 1'h0;
     end
-    if (\port$1022$0 [3]) begin
-      \$61  = 1'h0;
+    if (\port$1170$0 [3]) begin
+      \$57  = 1'h0;
     end
     if (rst) begin
-      \$61  = 1'h0;
+      \$57  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$62  = \$signal$621 ;
+    \$58  = \$signal$645 ;
     if (issue) begin
-      \$62  = 1'h1;
+      \$58  = 1'h1;
     end
     if (start) begin
-      \$62  = 1'h0;
+      \$58  = 1'h0;
     end
-    if (\port$1022$0 [3]) begin
-      \$62  = 1'h0;
+    if (\port$1170$0 [3]) begin
+      \$58  = 1'h0;
     end
     if (rst) begin
-      \$62  = 1'h0;
+      \$58  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$63  = ended;
+    \$59  = ended;
     if (last_beat) begin
-      \$63  = 1'h1;
+      \$59  = 1'h1;
     end
     if (start) begin
-      \$63  = 1'h0;
+      \$59  = 1'h0;
     end
-    if (\port$1022$0 [3]) begin
-      \$63  = 1'h0;
+    if (\port$1170$0 [3]) begin
+      \$59  = 1'h0;
     end
     if (rst) begin
-      \$63  = 1'h0;
+      \$59  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$64  = cycles;
-    if (\$signal$603 ) begin
-      \$64  = \$44 [31:0];
+    \$60  = cycles;
+    if (\$signal$625 ) begin
+      \$60  = \$39 [31:0];
     end
     if (start) begin
-      \$64  = 32'd0;
+      \$60  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
-      \$64  = 32'd0;
+    if (\port$1170$0 [3]) begin
+      \$60  = 32'd0;
     end
     if (rst) begin
-      \$64  = 32'd0;
+      \$60  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$65  = mac_cycles;
-    if (\$signal$603 ) begin
+    \$61  = mac_cycles;
+    if (\$signal$625 ) begin
       if (issue) begin
-        \$65  = \$48 [31:0];
+        \$61  = \$43 [31:0];
       end
     end
     if (start) begin
-      \$65  = 32'd0;
+      \$61  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
-      \$65  = 32'd0;
+    if (\port$1170$0 [3]) begin
+      \$61  = 32'd0;
     end
     if (rst) begin
-      \$65  = 32'd0;
+      \$61  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$66  = fill_cycles;
-    if (\$signal$603 ) begin
+    \$62  = fill_cycles;
+    if (\$signal$625 ) begin
       if (issue) begin
-      end else if (\$45 ) begin
-        \$66  = \$49 [31:0];
+      end else if (\$40 ) begin
+        \$62  = \$44 [31:0];
       end
     end
     if (start) begin
-      \$66  = 32'd0;
+      \$62  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
-      \$66  = 32'd0;
+    if (\port$1170$0 [3]) begin
+      \$62  = 32'd0;
     end
     if (rst) begin
-      \$66  = 32'd0;
+      \$62  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$67  = input_stalls;
-    if (\$signal$603 ) begin
+    \$63  = input_stalls;
+    if (\$signal$625 ) begin
       if (issue) begin
-      end else if (\$45 ) begin
+      end else if (\$40 ) begin
       end else if (starved) begin
-        \$67  = \$50 [31:0];
+        \$63  = \$45 [31:0];
       end
     end
     if (start) begin
-      \$67  = 32'd0;
+      \$63  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
-      \$67  = 32'd0;
+    if (\port$1170$0 [3]) begin
+      \$63  = 32'd0;
     end
     if (rst) begin
-      \$67  = 32'd0;
+      \$63  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$68  = output_stalls;
-    if (\$signal$603 ) begin
+    \$64  = output_stalls;
+    if (\$signal$625 ) begin
       if (issue) begin
-      end else if (\$45 ) begin
+      end else if (\$40 ) begin
       end else if (starved) begin
-      end else if (\$47 ) begin
-        \$68  = \$51 [31:0];
+      end else if (\$42 ) begin
+        \$64  = \$46 [31:0];
       end
     end
     if (start) begin
-      \$68  = 32'd0;
+      \$64  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
-      \$68  = 32'd0;
+    if (\port$1170$0 [3]) begin
+      \$64  = 32'd0;
     end
     if (rst) begin
-      \$68  = 32'd0;
+      \$64  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$69  = drain_cycles;
-    if (\$signal$603 ) begin
+    \$65  = drain_cycles;
+    if (\$signal$625 ) begin
       (* full_case = 32'd1 *)
       if (issue) begin
-      end else if (\$45 ) begin
+      end else if (\$40 ) begin
       end else if (starved) begin
-      end else if (\$47 ) begin
+      end else if (\$42 ) begin
       end else begin
-        \$69  = \$52 [31:0];
+        \$65  = \$47 [31:0];
       end
     end
     if (start) begin
-      \$69  = 32'd0;
+      \$65  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
-      \$69  = 32'd0;
+    if (\port$1170$0 [3]) begin
+      \$65  = 32'd0;
     end
     if (rst) begin
-      \$69  = 32'd0;
+      \$65  = 32'd0;
     end
   end
   assign \height$1  = height;
@@ -3578,573 +3750,610 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \c_in$5  = c_in;
   assign \c_out$7  = c_out;
   assign \mode$9  = mode;
-  assign \words$11  = words;
-  assign \shape$13  = shape;
-  assign command = \port$1022$0 [2:0];
-  assign \i__payload$24  = i__payload;
-  assign \i__ready$26  = i__ready;
-  assign \i__valid$28  = i__valid;
-  assign \i__payload$29  = i__payload[63:0];
+  assign \weight_base$11  = weight_base;
+  assign \requant_base$13  = requant_base;
+  assign \words$15  = words;
+  assign param_base = base;
+  assign \shape$19  = shape;
+  assign \busy$24  = loading;
+  assign command = \port$1170$0 [2:0];
+  assign \i__payload$42  = i__payload;
+  assign \i__ready$44  = i__ready;
+  assign \i__valid$46  = i__valid;
+  assign \i__payload$47  = i__payload[63:0];
   assign o__payload = i__payload[63:0];
-  assign \i__ready$32  = o__ready;
-  assign o__valid = \i__valid$33 ;
-  assign \o__payload$36  = \i__payload$35 ;
-  assign \i__ready$38  = \o__ready$37 ;
-  assign \o__valid$40  = \i__valid$39 ;
-  assign \o__payload$42  = \i__payload$41 ;
-  assign \i__ready$44  = \o__ready$43 ;
-  assign \o__valid$46  = \i__valid$45 ;
-  assign \o__payload$48  = \o__payload$47 ;
-  assign \o__ready$50  = \o__ready$49 ;
-  assign \o__valid$52  = \o__valid$51 ;
-  assign params__payload = \i__payload$53 ;
-  assign params__ready = \busy$16 ;
-  assign \i__ready$56  = \busy$16 ;
-  assign params__valid = \i__valid$57 ;
-  assign \shape$59  = shape;
-  assign \shape$60  = shape;
-  assign \shape$61  = shape;
-  assign \shape$62  = shape;
-  assign \start$63  = start;
-  assign \start$64  = start;
-  assign \start$65  = start;
-  assign \start$66  = start;
-  assign beats_per_pixel = shape[116:101];
-  assign words_per_pixel = { 2'h0, shape[76:63] };
-  assign \beats_per_pixel$69  = shape[132:117];
-  assign \retire$71  = retire;
+  assign \i__ready$50  = o__ready;
+  assign o__valid = \i__valid$51 ;
+  assign \o__payload$54  = \i__payload$53 ;
+  assign \i__ready$56  = \o__ready$55 ;
+  assign \o__valid$58  = \i__valid$57 ;
+  assign \o__payload$60  = \i__payload$59 ;
+  assign \i__ready$62  = \o__ready$61 ;
+  assign \o__valid$64  = \i__valid$63 ;
+  assign \o__payload$66  = \o__payload$65 ;
+  assign \o__ready$68  = \o__ready$67 ;
+  assign \o__valid$70  = \o__valid$69 ;
+  assign params__payload = \i__payload$71 ;
+  assign params__ready = loading;
+  assign \i__ready$74  = loading;
+  assign params__valid = \i__valid$75 ;
+  assign \shape$77  = shape;
+  assign \shape$78  = shape;
+  assign \shape$79  = shape;
+  assign \shape$80  = shape;
+  assign \start$81  = start;
+  assign \start$82  = start;
+  assign \start$83  = start;
+  assign \start$84  = start;
+  assign beats_per_pixel = shape[147:132];
+  assign words_per_pixel = { 2'h0, shape[92:79] };
+  assign \beats_per_pixel$87  = shape[163:148];
+  assign \retire$89  = retire;
+  assign \retire_row$91  = retire_row;
+  assign \weight_base$92  = weight_base[9:0];
+  assign \requant_base$93  = requant_base[7:0];
   assign read = step[14:0];
-  assign \group_written$75  = group_written;
-  assign \image_written$77  = image_written;
-  assign \credit$79  = credit;
+  assign \group_written$97  = group_written;
+  assign \image_written$99  = image_written;
+  assign \credit$101  = credit;
   assign requant_en = write_en;
-  assign write = { \$72 , \$71  };
-  assign requant = { \$72 , \$71  };
+  assign write = { \$68 , \$67  };
+  assign requant = { \$68 , \$67  };
   assign info3 = info;
-  assign address = step[23:15];
-  assign \write_en$89  = unit_en[0];
-  assign \write$91  = { \$72 [519:448], \$70  };
-  assign weight = { \$72 [519:448], \$70  };
+  assign address = step[24:15];
+  assign \write_en$111  = unit_en[0];
+  assign \write$113  = { \$68 [647:576], \$66  };
+  assign weight = { \$68 [647:576], \$66  };
   assign word = activations;
   assign control = control3;
-  assign \shift$97  = shift;
-  assign \chain_o$101  = chain_i;
-  assign \address$102  = step[23:15];
-  assign \write_en$103  = unit_en[1];
-  assign \write$104  = { \$72 [519:448], \$70  };
-  assign \activations$105  = activations;
-  assign \control$106  = control3;
-  assign \shift$107  = shift;
-  assign \chain_o$110  = \chain_i$109 ;
-  assign \address$111  = step[23:15];
-  assign \write_en$112  = unit_en[2];
-  assign \write$113  = { \$72 [519:448], \$70  };
-  assign \activations$114  = activations;
-  assign \control$115  = control3;
-  assign \shift$116  = shift;
-  assign \chain_o$119  = \chain_i$118 ;
-  assign \address$120  = step[23:15];
-  assign \write_en$121  = unit_en[3];
-  assign \write$122  = { \$72 [519:448], \$70  };
-  assign \activations$123  = activations;
-  assign \control$124  = control3;
-  assign \shift$125  = shift;
-  assign \chain_o$128  = \chain_i$127 ;
-  assign \address$129  = step[23:15];
-  assign \write_en$130  = unit_en[4];
-  assign \write$131  = { \$72 [519:448], \$70  };
-  assign \activations$132  = activations;
-  assign \control$133  = control3;
-  assign \shift$134  = shift;
-  assign \chain_o$136  = \chain_i$135 ;
-  assign \address$137  = step[23:15];
-  assign \write_en$138  = unit_en[5];
-  assign \write$139  = { \$72 [519:448], \$70  };
-  assign \activations$140  = activations;
-  assign \control$141  = control3;
-  assign \shift$142  = shift;
-  assign \chain_o$144  = \chain_i$143 ;
-  assign \address$145  = step[23:15];
-  assign \write_en$146  = unit_en[6];
-  assign \write$147  = { \$72 [519:448], \$70  };
-  assign \activations$148  = activations;
-  assign \control$149  = control3;
-  assign \shift$150  = shift;
-  assign \chain_o$152  = \chain_i$151 ;
-  assign \address$153  = step[23:15];
-  assign \write_en$154  = unit_en[7];
-  assign \write$155  = { \$72 [519:448], \$70  };
-  assign \activations$156  = activations;
-  assign \control$157  = control3;
-  assign \shift$158  = shift;
-  assign \chain_o$160  = \chain_i$159 ;
-  assign \address$161  = step[23:15];
-  assign \write_en$162  = unit_en[8];
-  assign \write$163  = { \$72 [519:448], \$70  };
-  assign \activations$164  = activations;
-  assign \control$165  = control3;
-  assign \shift$166  = shift;
-  assign \chain_o$168  = \chain_i$167 ;
-  assign \address$169  = step[23:15];
-  assign \write_en$170  = unit_en[9];
-  assign \write$171  = { \$72 [519:448], \$70  };
-  assign \activations$172  = activations;
-  assign \control$173  = control3;
-  assign \shift$174  = shift;
-  assign \chain_o$176  = \chain_i$175 ;
-  assign \address$177  = step[23:15];
-  assign \write_en$178  = unit_en[10];
-  assign \write$179  = { \$72 [519:448], \$70  };
-  assign \activations$180  = activations;
-  assign \control$181  = control3;
-  assign \shift$182  = shift;
-  assign \chain_o$184  = \chain_i$183 ;
-  assign \address$185  = step[23:15];
-  assign \write_en$186  = unit_en[11];
-  assign \write$187  = { \$72 [519:448], \$70  };
-  assign \activations$188  = activations;
-  assign \control$189  = control3;
-  assign \shift$190  = shift;
-  assign \chain_o$192  = \chain_i$191 ;
-  assign \address$193  = step[23:15];
-  assign \write_en$194  = unit_en[12];
-  assign \write$195  = { \$72 [519:448], \$70  };
-  assign \activations$196  = activations;
-  assign \control$197  = control3;
-  assign \shift$198  = shift;
-  assign \chain_o$200  = \chain_i$199 ;
-  assign \address$201  = step[23:15];
-  assign \write_en$202  = unit_en[13];
-  assign \write$203  = { \$72 [519:448], \$70  };
-  assign \activations$204  = activations;
-  assign \control$205  = control3;
-  assign \shift$206  = shift;
-  assign \chain_o$208  = \chain_i$207 ;
-  assign \address$209  = step[23:15];
-  assign \write_en$210  = unit_en[14];
-  assign \write$211  = { \$72 [519:448], \$70  };
-  assign \activations$212  = activations;
-  assign \control$213  = control3;
-  assign \shift$214  = shift;
-  assign \chain_o$216  = \chain_i$215 ;
-  assign \address$217  = step[23:15];
-  assign \write_en$218  = unit_en[15];
-  assign \write$219  = { \$72 [519:448], \$70  };
-  assign \activations$220  = activations;
-  assign \control$221  = control3;
-  assign \shift$222  = shift;
-  assign \chain_o$224  = \chain_i$223 ;
-  assign \address$225  = step[23:15];
-  assign \write_en$226  = unit_en[16];
-  assign \write$227  = { \$72 [519:448], \$70  };
-  assign \activations$228  = activations;
-  assign \control$229  = control3;
-  assign \shift$230  = shift;
-  assign \chain_o$232  = \chain_i$231 ;
-  assign \address$233  = step[23:15];
-  assign \write_en$234  = unit_en[17];
-  assign \write$235  = { \$72 [519:448], \$70  };
-  assign \activations$236  = activations;
-  assign \control$237  = control3;
-  assign \shift$238  = shift;
-  assign \chain_o$240  = \chain_i$239 ;
-  assign \address$241  = step[23:15];
-  assign \write_en$242  = unit_en[18];
-  assign \write$243  = { \$72 [519:448], \$70  };
-  assign \activations$244  = activations;
-  assign \control$245  = control3;
-  assign \shift$246  = shift;
-  assign \chain_o$248  = \chain_i$247 ;
-  assign \address$249  = step[23:15];
-  assign \write_en$250  = unit_en[19];
-  assign \write$251  = { \$72 [519:448], \$70  };
-  assign \activations$252  = activations;
-  assign \control$253  = control3;
-  assign \shift$254  = shift;
-  assign \chain_o$256  = \chain_i$255 ;
-  assign \address$257  = step[23:15];
-  assign \write_en$258  = unit_en[20];
-  assign \write$259  = { \$72 [519:448], \$70  };
-  assign \activations$260  = activations;
-  assign \control$261  = control3;
-  assign \shift$262  = shift;
-  assign \chain_o$264  = \chain_i$263 ;
-  assign \address$265  = step[23:15];
-  assign \write_en$266  = unit_en[21];
-  assign \write$267  = { \$72 [519:448], \$70  };
-  assign \activations$268  = activations;
-  assign \control$269  = control3;
-  assign \shift$270  = shift;
-  assign \chain_o$272  = \chain_i$271 ;
-  assign \address$273  = step[23:15];
-  assign \write_en$274  = unit_en[22];
-  assign \write$275  = { \$72 [519:448], \$70  };
-  assign \activations$276  = activations;
-  assign \control$277  = control3;
-  assign \shift$278  = shift;
-  assign \chain_o$280  = \chain_i$279 ;
-  assign \address$281  = step[23:15];
-  assign \write_en$282  = unit_en[23];
-  assign \write$283  = { \$72 [519:448], \$70  };
-  assign \activations$284  = activations;
-  assign \control$285  = control3;
-  assign \shift$286  = shift;
-  assign \chain_o$288  = \chain_i$287 ;
-  assign \address$289  = step[23:15];
-  assign \write_en$290  = unit_en[24];
-  assign \write$291  = { \$72 [519:448], \$70  };
-  assign \activations$292  = activations;
-  assign \control$293  = control3;
-  assign \shift$294  = shift;
-  assign \chain_o$296  = \chain_i$295 ;
-  assign \address$297  = step[23:15];
-  assign \write_en$298  = unit_en[25];
-  assign \write$299  = { \$72 [519:448], \$70  };
-  assign \activations$300  = activations;
-  assign \control$301  = control3;
-  assign \shift$302  = shift;
-  assign \chain_o$304  = \chain_i$303 ;
-  assign \address$305  = step[23:15];
-  assign \write_en$306  = unit_en[26];
-  assign \write$307  = { \$72 [519:448], \$70  };
-  assign \activations$308  = activations;
-  assign \control$309  = control3;
-  assign \shift$310  = shift;
-  assign \chain_o$312  = \chain_i$311 ;
-  assign \address$313  = step[23:15];
-  assign \write_en$314  = unit_en[27];
-  assign \write$315  = { \$72 [519:448], \$70  };
-  assign \activations$316  = activations;
-  assign \control$317  = control3;
-  assign \shift$318  = shift;
-  assign \chain_o$320  = \chain_i$319 ;
-  assign \address$321  = step[23:15];
-  assign \write_en$322  = unit_en[28];
-  assign \write$323  = { \$72 [519:448], \$70  };
-  assign \activations$324  = activations;
-  assign \control$325  = control3;
-  assign \shift$326  = shift;
-  assign \chain_o$328  = \chain_i$327 ;
-  assign \address$329  = step[23:15];
-  assign \write_en$330  = unit_en[29];
-  assign \write$331  = { \$72 [519:448], \$70  };
-  assign \activations$332  = activations;
-  assign \control$333  = control3;
-  assign \shift$334  = shift;
-  assign \chain_o$336  = \chain_i$335 ;
-  assign \address$337  = step[23:15];
-  assign \write_en$338  = unit_en[30];
-  assign \write$339  = { \$72 [519:448], \$70  };
-  assign \activations$340  = activations;
-  assign \control$341  = control3;
-  assign \shift$342  = shift;
-  assign \chain_o$344  = \chain_i$343 ;
-  assign \address$345  = step[23:15];
-  assign \write_en$346  = unit_en[31];
-  assign \write$347  = { \$72 [519:448], \$70  };
-  assign \activations$348  = activations;
-  assign \control$349  = control3;
-  assign \shift$350  = shift;
-  assign \chain_o$352  = \chain_i$351 ;
-  assign \address$353  = step[23:15];
-  assign \write_en$354  = unit_en[32];
-  assign \write$355  = { \$72 [519:448], \$70  };
-  assign \activations$356  = activations;
-  assign \control$357  = control3;
-  assign \shift$358  = shift;
-  assign \chain_o$360  = \chain_i$359 ;
-  assign \address$361  = step[23:15];
-  assign \write_en$362  = unit_en[33];
-  assign \write$363  = { \$72 [519:448], \$70  };
-  assign \activations$364  = activations;
-  assign \control$365  = control3;
-  assign \shift$366  = shift;
-  assign \chain_o$368  = \chain_i$367 ;
-  assign \address$369  = step[23:15];
-  assign \write_en$370  = unit_en[34];
-  assign \write$371  = { \$72 [519:448], \$70  };
-  assign \activations$372  = activations;
-  assign \control$373  = control3;
-  assign \shift$374  = shift;
-  assign \chain_o$376  = \chain_i$375 ;
-  assign \address$377  = step[23:15];
-  assign \write_en$378  = unit_en[35];
-  assign \write$379  = { \$72 [519:448], \$70  };
-  assign \activations$380  = activations;
-  assign \control$381  = control3;
-  assign \shift$382  = shift;
-  assign \chain_o$384  = \chain_i$383 ;
-  assign \address$385  = step[23:15];
-  assign \write_en$386  = unit_en[36];
-  assign \write$387  = { \$72 [519:448], \$70  };
-  assign \activations$388  = activations;
-  assign \control$389  = control3;
-  assign \shift$390  = shift;
-  assign \chain_o$392  = \chain_i$391 ;
-  assign \address$393  = step[23:15];
-  assign \write_en$394  = unit_en[37];
-  assign \write$395  = { \$72 [519:448], \$70  };
-  assign \activations$396  = activations;
-  assign \control$397  = control3;
-  assign \shift$398  = shift;
-  assign \chain_o$400  = \chain_i$399 ;
-  assign \address$401  = step[23:15];
-  assign \write_en$402  = unit_en[38];
-  assign \write$403  = { \$72 [519:448], \$70  };
-  assign \activations$404  = activations;
-  assign \control$405  = control3;
-  assign \shift$406  = shift;
-  assign \chain_o$408  = \chain_i$407 ;
-  assign \address$409  = step[23:15];
-  assign \write_en$410  = unit_en[39];
-  assign \write$411  = { \$72 [519:448], \$70  };
-  assign \activations$412  = activations;
-  assign \control$413  = control3;
-  assign \shift$414  = shift;
-  assign \chain_o$416  = \chain_i$415 ;
-  assign \address$417  = step[23:15];
-  assign \write_en$418  = unit_en[40];
-  assign \write$419  = { \$72 [519:448], \$70  };
-  assign \activations$420  = activations;
-  assign \control$421  = control3;
-  assign \shift$422  = shift;
-  assign \chain_o$424  = \chain_i$423 ;
-  assign \address$425  = step[23:15];
-  assign \write_en$426  = unit_en[41];
-  assign \write$427  = { \$72 [519:448], \$70  };
-  assign \activations$428  = activations;
-  assign \control$429  = control3;
-  assign \shift$430  = shift;
-  assign \chain_o$432  = \chain_i$431 ;
-  assign \address$433  = step[23:15];
-  assign \write_en$434  = unit_en[42];
-  assign \write$435  = { \$72 [519:448], \$70  };
-  assign \activations$436  = activations;
-  assign \control$437  = control3;
-  assign \shift$438  = shift;
-  assign \chain_o$440  = \chain_i$439 ;
-  assign \address$441  = step[23:15];
-  assign \write_en$442  = unit_en[43];
-  assign \write$443  = { \$72 [519:448], \$70  };
-  assign \activations$444  = activations;
-  assign \control$445  = control3;
-  assign \shift$446  = shift;
-  assign \chain_o$448  = \chain_i$447 ;
-  assign \address$449  = step[23:15];
-  assign \write_en$450  = unit_en[44];
-  assign \write$451  = { \$72 [519:448], \$70  };
-  assign \activations$452  = activations;
-  assign \control$453  = control3;
-  assign \shift$454  = shift;
-  assign \chain_o$456  = \chain_i$455 ;
-  assign \address$457  = step[23:15];
-  assign \write_en$458  = unit_en[45];
-  assign \write$459  = { \$72 [519:448], \$70  };
-  assign \activations$460  = activations;
-  assign \control$461  = control3;
-  assign \shift$462  = shift;
-  assign \chain_o$464  = \chain_i$463 ;
-  assign \address$465  = step[23:15];
-  assign \write_en$466  = unit_en[46];
-  assign \write$467  = { \$72 [519:448], \$70  };
-  assign \activations$468  = activations;
-  assign \control$469  = control3;
-  assign \shift$470  = shift;
-  assign \chain_o$472  = \chain_i$471 ;
-  assign \address$473  = step[23:15];
-  assign \write_en$474  = unit_en[47];
-  assign \write$475  = { \$72 [519:448], \$70  };
-  assign \activations$476  = activations;
-  assign \control$477  = control3;
-  assign \shift$478  = shift;
-  assign \chain_o$480  = \chain_i$479 ;
-  assign \address$481  = step[23:15];
-  assign \write_en$482  = unit_en[48];
-  assign \write$483  = { \$72 [519:448], \$70  };
-  assign \activations$484  = activations;
-  assign \control$485  = control3;
-  assign \shift$486  = shift;
-  assign \chain_o$488  = \chain_i$487 ;
-  assign \address$489  = step[23:15];
-  assign \write_en$490  = unit_en[49];
-  assign \write$491  = { \$72 [519:448], \$70  };
-  assign \activations$492  = activations;
-  assign \control$493  = control3;
-  assign \shift$494  = shift;
-  assign \chain_o$496  = \chain_i$495 ;
-  assign \address$497  = step[23:15];
-  assign \write_en$498  = unit_en[50];
-  assign \write$499  = { \$72 [519:448], \$70  };
-  assign \activations$500  = activations;
-  assign \control$501  = control3;
-  assign \shift$502  = shift;
-  assign \chain_o$504  = \chain_i$503 ;
-  assign \address$505  = step[23:15];
-  assign \write_en$506  = unit_en[51];
-  assign \write$507  = { \$72 [519:448], \$70  };
-  assign \activations$508  = activations;
-  assign \control$509  = control3;
-  assign \shift$510  = shift;
-  assign \chain_o$512  = \chain_i$511 ;
-  assign \address$513  = step[23:15];
-  assign \write_en$514  = unit_en[52];
-  assign \write$515  = { \$72 [519:448], \$70  };
-  assign \activations$516  = activations;
-  assign \control$517  = control3;
-  assign \shift$518  = shift;
-  assign \chain_o$520  = \chain_i$519 ;
-  assign \address$521  = step[23:15];
-  assign \write_en$522  = unit_en[53];
-  assign \write$523  = { \$72 [519:448], \$70  };
-  assign \activations$524  = activations;
-  assign \control$525  = control3;
-  assign \shift$526  = shift;
-  assign \chain_o$528  = \chain_i$527 ;
-  assign \address$529  = step[23:15];
-  assign \write_en$530  = unit_en[54];
-  assign \write$531  = { \$72 [519:448], \$70  };
-  assign \activations$532  = activations;
-  assign \control$533  = control3;
-  assign \shift$534  = shift;
-  assign \chain_o$536  = \chain_i$535 ;
-  assign \address$537  = step[23:15];
-  assign \write_en$538  = unit_en[55];
-  assign \write$539  = { \$72 [519:448], \$70  };
-  assign \activations$540  = activations;
-  assign \control$541  = control3;
-  assign \shift$542  = shift;
-  assign \chain_o$544  = \chain_i$543 ;
-  assign \address$545  = step[23:15];
-  assign \write_en$546  = unit_en[56];
-  assign \write$547  = { \$72 [519:448], \$70  };
-  assign \activations$548  = activations;
-  assign \control$549  = control3;
-  assign \shift$550  = shift;
-  assign \chain_o$552  = \chain_i$551 ;
-  assign \address$553  = step[23:15];
-  assign \write_en$554  = unit_en[57];
-  assign \write$555  = { \$72 [519:448], \$70  };
-  assign \activations$556  = activations;
-  assign \control$557  = control3;
-  assign \shift$558  = shift;
-  assign \chain_o$560  = \chain_i$559 ;
-  assign \address$561  = step[23:15];
-  assign \write_en$562  = unit_en[58];
-  assign \write$563  = { \$72 [519:448], \$70  };
-  assign \activations$564  = activations;
-  assign \control$565  = control3;
-  assign \shift$566  = shift;
-  assign \chain_o$568  = \chain_i$567 ;
-  assign \address$569  = step[23:15];
-  assign \write_en$570  = unit_en[59];
-  assign \write$571  = { \$72 [519:448], \$70  };
-  assign \activations$572  = activations;
-  assign \control$573  = control3;
-  assign \shift$574  = shift;
-  assign \chain_o$576  = \chain_i$575 ;
-  assign \address$577  = step[23:15];
-  assign \write_en$578  = unit_en[60];
-  assign \write$579  = { \$72 [519:448], \$70  };
-  assign \activations$580  = activations;
-  assign \control$581  = control3;
-  assign \shift$582  = shift;
-  assign \address$583  = step[23:15];
-  assign \write_en$584  = unit_en[61];
-  assign \write$585  = { \$72 [519:448], \$70  };
+  assign \shift$119  = shift;
+  assign \chain_o$123  = chain_i;
+  assign \address$124  = step[24:15];
+  assign \write_en$125  = unit_en[1];
+  assign \write$126  = { \$68 [647:576], \$66  };
+  assign \activations$127  = activations;
+  assign \control$128  = control3;
+  assign \shift$129  = shift;
+  assign \chain_o$132  = \chain_i$131 ;
+  assign \address$133  = step[24:15];
+  assign \write_en$134  = unit_en[2];
+  assign \write$135  = { \$68 [647:576], \$66  };
+  assign \activations$136  = activations;
+  assign \control$137  = control3;
+  assign \shift$138  = shift;
+  assign \chain_o$141  = \chain_i$140 ;
+  assign \address$142  = step[24:15];
+  assign \write_en$143  = unit_en[3];
+  assign \write$144  = { \$68 [647:576], \$66  };
+  assign \activations$145  = activations;
+  assign \control$146  = control3;
+  assign \shift$147  = shift;
+  assign \chain_o$150  = \chain_i$149 ;
+  assign \address$151  = step[24:15];
+  assign \write_en$152  = unit_en[4];
+  assign \write$153  = { \$68 [647:576], \$66  };
+  assign \activations$154  = activations;
+  assign \control$155  = control3;
+  assign \shift$156  = shift;
+  assign \chain_o$158  = \chain_i$157 ;
+  assign \address$159  = step[24:15];
+  assign \write_en$160  = unit_en[5];
+  assign \write$161  = { \$68 [647:576], \$66  };
+  assign \activations$162  = activations;
+  assign \control$163  = control3;
+  assign \shift$164  = shift;
+  assign \chain_o$166  = \chain_i$165 ;
+  assign \address$167  = step[24:15];
+  assign \write_en$168  = unit_en[6];
+  assign \write$169  = { \$68 [647:576], \$66  };
+  assign \activations$170  = activations;
+  assign \control$171  = control3;
+  assign \shift$172  = shift;
+  assign \chain_o$174  = \chain_i$173 ;
+  assign \address$175  = step[24:15];
+  assign \write_en$176  = unit_en[7];
+  assign \write$177  = { \$68 [647:576], \$66  };
+  assign \activations$178  = activations;
+  assign \control$179  = control3;
+  assign \shift$180  = shift;
+  assign \chain_o$182  = \chain_i$181 ;
+  assign \address$183  = step[24:15];
+  assign \write_en$184  = unit_en[8];
+  assign \write$185  = { \$68 [647:576], \$66  };
+  assign \activations$186  = activations;
+  assign \control$187  = control3;
+  assign \shift$188  = shift;
+  assign \chain_o$190  = \chain_i$189 ;
+  assign \address$191  = step[24:15];
+  assign \write_en$192  = unit_en[9];
+  assign \write$193  = { \$68 [647:576], \$66  };
+  assign \activations$194  = activations;
+  assign \control$195  = control3;
+  assign \shift$196  = shift;
+  assign \chain_o$198  = \chain_i$197 ;
+  assign \address$199  = step[24:15];
+  assign \write_en$200  = unit_en[10];
+  assign \write$201  = { \$68 [647:576], \$66  };
+  assign \activations$202  = activations;
+  assign \control$203  = control3;
+  assign \shift$204  = shift;
+  assign \chain_o$206  = \chain_i$205 ;
+  assign \address$207  = step[24:15];
+  assign \write_en$208  = unit_en[11];
+  assign \write$209  = { \$68 [647:576], \$66  };
+  assign \activations$210  = activations;
+  assign \control$211  = control3;
+  assign \shift$212  = shift;
+  assign \chain_o$214  = \chain_i$213 ;
+  assign \address$215  = step[24:15];
+  assign \write_en$216  = unit_en[12];
+  assign \write$217  = { \$68 [647:576], \$66  };
+  assign \activations$218  = activations;
+  assign \control$219  = control3;
+  assign \shift$220  = shift;
+  assign \chain_o$222  = \chain_i$221 ;
+  assign \address$223  = step[24:15];
+  assign \write_en$224  = unit_en[13];
+  assign \write$225  = { \$68 [647:576], \$66  };
+  assign \activations$226  = activations;
+  assign \control$227  = control3;
+  assign \shift$228  = shift;
+  assign \chain_o$230  = \chain_i$229 ;
+  assign \address$231  = step[24:15];
+  assign \write_en$232  = unit_en[14];
+  assign \write$233  = { \$68 [647:576], \$66  };
+  assign \activations$234  = activations;
+  assign \control$235  = control3;
+  assign \shift$236  = shift;
+  assign \chain_o$238  = \chain_i$237 ;
+  assign \address$239  = step[24:15];
+  assign \write_en$240  = unit_en[15];
+  assign \write$241  = { \$68 [647:576], \$66  };
+  assign \activations$242  = activations;
+  assign \control$243  = control3;
+  assign \shift$244  = shift;
+  assign \chain_o$246  = \chain_i$245 ;
+  assign \address$247  = step[24:15];
+  assign \write_en$248  = unit_en[16];
+  assign \write$249  = { \$68 [647:576], \$66  };
+  assign \activations$250  = activations;
+  assign \control$251  = control3;
+  assign \shift$252  = shift;
+  assign \chain_o$254  = \chain_i$253 ;
+  assign \address$255  = step[24:15];
+  assign \write_en$256  = unit_en[17];
+  assign \write$257  = { \$68 [647:576], \$66  };
+  assign \activations$258  = activations;
+  assign \control$259  = control3;
+  assign \shift$260  = shift;
+  assign \chain_o$262  = \chain_i$261 ;
+  assign \address$263  = step[24:15];
+  assign \write_en$264  = unit_en[18];
+  assign \write$265  = { \$68 [647:576], \$66  };
+  assign \activations$266  = activations;
+  assign \control$267  = control3;
+  assign \shift$268  = shift;
+  assign \chain_o$270  = \chain_i$269 ;
+  assign \address$271  = step[24:15];
+  assign \write_en$272  = unit_en[19];
+  assign \write$273  = { \$68 [647:576], \$66  };
+  assign \activations$274  = activations;
+  assign \control$275  = control3;
+  assign \shift$276  = shift;
+  assign \chain_o$278  = \chain_i$277 ;
+  assign \address$279  = step[24:15];
+  assign \write_en$280  = unit_en[20];
+  assign \write$281  = { \$68 [647:576], \$66  };
+  assign \activations$282  = activations;
+  assign \control$283  = control3;
+  assign \shift$284  = shift;
+  assign \chain_o$286  = \chain_i$285 ;
+  assign \address$287  = step[24:15];
+  assign \write_en$288  = unit_en[21];
+  assign \write$289  = { \$68 [647:576], \$66  };
+  assign \activations$290  = activations;
+  assign \control$291  = control3;
+  assign \shift$292  = shift;
+  assign \chain_o$294  = \chain_i$293 ;
+  assign \address$295  = step[24:15];
+  assign \write_en$296  = unit_en[22];
+  assign \write$297  = { \$68 [647:576], \$66  };
+  assign \activations$298  = activations;
+  assign \control$299  = control3;
+  assign \shift$300  = shift;
+  assign \chain_o$302  = \chain_i$301 ;
+  assign \address$303  = step[24:15];
+  assign \write_en$304  = unit_en[23];
+  assign \write$305  = { \$68 [647:576], \$66  };
+  assign \activations$306  = activations;
+  assign \control$307  = control3;
+  assign \shift$308  = shift;
+  assign \chain_o$310  = \chain_i$309 ;
+  assign \address$311  = step[24:15];
+  assign \write_en$312  = unit_en[24];
+  assign \write$313  = { \$68 [647:576], \$66  };
+  assign \activations$314  = activations;
+  assign \control$315  = control3;
+  assign \shift$316  = shift;
+  assign \chain_o$318  = \chain_i$317 ;
+  assign \address$319  = step[24:15];
+  assign \write_en$320  = unit_en[25];
+  assign \write$321  = { \$68 [647:576], \$66  };
+  assign \activations$322  = activations;
+  assign \control$323  = control3;
+  assign \shift$324  = shift;
+  assign \chain_o$326  = \chain_i$325 ;
+  assign \address$327  = step[24:15];
+  assign \write_en$328  = unit_en[26];
+  assign \write$329  = { \$68 [647:576], \$66  };
+  assign \activations$330  = activations;
+  assign \control$331  = control3;
+  assign \shift$332  = shift;
+  assign \chain_o$334  = \chain_i$333 ;
+  assign \address$335  = step[24:15];
+  assign \write_en$336  = unit_en[27];
+  assign \write$337  = { \$68 [647:576], \$66  };
+  assign \activations$338  = activations;
+  assign \control$339  = control3;
+  assign \shift$340  = shift;
+  assign \chain_o$342  = \chain_i$341 ;
+  assign \address$343  = step[24:15];
+  assign \write_en$344  = unit_en[28];
+  assign \write$345  = { \$68 [647:576], \$66  };
+  assign \activations$346  = activations;
+  assign \control$347  = control3;
+  assign \shift$348  = shift;
+  assign \chain_o$350  = \chain_i$349 ;
+  assign \address$351  = step[24:15];
+  assign \write_en$352  = unit_en[29];
+  assign \write$353  = { \$68 [647:576], \$66  };
+  assign \activations$354  = activations;
+  assign \control$355  = control3;
+  assign \shift$356  = shift;
+  assign \chain_o$358  = \chain_i$357 ;
+  assign \address$359  = step[24:15];
+  assign \write_en$360  = unit_en[30];
+  assign \write$361  = { \$68 [647:576], \$66  };
+  assign \activations$362  = activations;
+  assign \control$363  = control3;
+  assign \shift$364  = shift;
+  assign \chain_o$366  = \chain_i$365 ;
+  assign \address$367  = step[24:15];
+  assign \write_en$368  = unit_en[31];
+  assign \write$369  = { \$68 [647:576], \$66  };
+  assign \activations$370  = activations;
+  assign \control$371  = control3;
+  assign \shift$372  = shift;
+  assign \chain_o$374  = \chain_i$373 ;
+  assign \address$375  = step[24:15];
+  assign \write_en$376  = unit_en[32];
+  assign \write$377  = { \$68 [647:576], \$66  };
+  assign \activations$378  = activations;
+  assign \control$379  = control3;
+  assign \shift$380  = shift;
+  assign \chain_o$382  = \chain_i$381 ;
+  assign \address$383  = step[24:15];
+  assign \write_en$384  = unit_en[33];
+  assign \write$385  = { \$68 [647:576], \$66  };
+  assign \activations$386  = activations;
+  assign \control$387  = control3;
+  assign \shift$388  = shift;
+  assign \chain_o$390  = \chain_i$389 ;
+  assign \address$391  = step[24:15];
+  assign \write_en$392  = unit_en[34];
+  assign \write$393  = { \$68 [647:576], \$66  };
+  assign \activations$394  = activations;
+  assign \control$395  = control3;
+  assign \shift$396  = shift;
+  assign \chain_o$398  = \chain_i$397 ;
+  assign \address$399  = step[24:15];
+  assign \write_en$400  = unit_en[35];
+  assign \write$401  = { \$68 [647:576], \$66  };
+  assign \activations$402  = activations;
+  assign \control$403  = control3;
+  assign \shift$404  = shift;
+  assign \chain_o$406  = \chain_i$405 ;
+  assign \address$407  = step[24:15];
+  assign \write_en$408  = unit_en[36];
+  assign \write$409  = { \$68 [647:576], \$66  };
+  assign \activations$410  = activations;
+  assign \control$411  = control3;
+  assign \shift$412  = shift;
+  assign \chain_o$414  = \chain_i$413 ;
+  assign \address$415  = step[24:15];
+  assign \write_en$416  = unit_en[37];
+  assign \write$417  = { \$68 [647:576], \$66  };
+  assign \activations$418  = activations;
+  assign \control$419  = control3;
+  assign \shift$420  = shift;
+  assign \chain_o$422  = \chain_i$421 ;
+  assign \address$423  = step[24:15];
+  assign \write_en$424  = unit_en[38];
+  assign \write$425  = { \$68 [647:576], \$66  };
+  assign \activations$426  = activations;
+  assign \control$427  = control3;
+  assign \shift$428  = shift;
+  assign \chain_o$430  = \chain_i$429 ;
+  assign \address$431  = step[24:15];
+  assign \write_en$432  = unit_en[39];
+  assign \write$433  = { \$68 [647:576], \$66  };
+  assign \activations$434  = activations;
+  assign \control$435  = control3;
+  assign \shift$436  = shift;
+  assign \chain_o$438  = \chain_i$437 ;
+  assign \address$439  = step[24:15];
+  assign \write_en$440  = unit_en[40];
+  assign \write$441  = { \$68 [647:576], \$66  };
+  assign \activations$442  = activations;
+  assign \control$443  = control3;
+  assign \shift$444  = shift;
+  assign \chain_o$446  = \chain_i$445 ;
+  assign \address$447  = step[24:15];
+  assign \write_en$448  = unit_en[41];
+  assign \write$449  = { \$68 [647:576], \$66  };
+  assign \activations$450  = activations;
+  assign \control$451  = control3;
+  assign \shift$452  = shift;
+  assign \chain_o$454  = \chain_i$453 ;
+  assign \address$455  = step[24:15];
+  assign \write_en$456  = unit_en[42];
+  assign \write$457  = { \$68 [647:576], \$66  };
+  assign \activations$458  = activations;
+  assign \control$459  = control3;
+  assign \shift$460  = shift;
+  assign \chain_o$462  = \chain_i$461 ;
+  assign \address$463  = step[24:15];
+  assign \write_en$464  = unit_en[43];
+  assign \write$465  = { \$68 [647:576], \$66  };
+  assign \activations$466  = activations;
+  assign \control$467  = control3;
+  assign \shift$468  = shift;
+  assign \chain_o$470  = \chain_i$469 ;
+  assign \address$471  = step[24:15];
+  assign \write_en$472  = unit_en[44];
+  assign \write$473  = { \$68 [647:576], \$66  };
+  assign \activations$474  = activations;
+  assign \control$475  = control3;
+  assign \shift$476  = shift;
+  assign \chain_o$478  = \chain_i$477 ;
+  assign \address$479  = step[24:15];
+  assign \write_en$480  = unit_en[45];
+  assign \write$481  = { \$68 [647:576], \$66  };
+  assign \activations$482  = activations;
+  assign \control$483  = control3;
+  assign \shift$484  = shift;
+  assign \chain_o$486  = \chain_i$485 ;
+  assign \address$487  = step[24:15];
+  assign \write_en$488  = unit_en[46];
+  assign \write$489  = { \$68 [647:576], \$66  };
+  assign \activations$490  = activations;
+  assign \control$491  = control3;
+  assign \shift$492  = shift;
+  assign \chain_o$494  = \chain_i$493 ;
+  assign \address$495  = step[24:15];
+  assign \write_en$496  = unit_en[47];
+  assign \write$497  = { \$68 [647:576], \$66  };
+  assign \activations$498  = activations;
+  assign \control$499  = control3;
+  assign \shift$500  = shift;
+  assign \chain_o$502  = \chain_i$501 ;
+  assign \address$503  = step[24:15];
+  assign \write_en$504  = unit_en[48];
+  assign \write$505  = { \$68 [647:576], \$66  };
+  assign \activations$506  = activations;
+  assign \control$507  = control3;
+  assign \shift$508  = shift;
+  assign \chain_o$510  = \chain_i$509 ;
+  assign \address$511  = step[24:15];
+  assign \write_en$512  = unit_en[49];
+  assign \write$513  = { \$68 [647:576], \$66  };
+  assign \activations$514  = activations;
+  assign \control$515  = control3;
+  assign \shift$516  = shift;
+  assign \chain_o$518  = \chain_i$517 ;
+  assign \address$519  = step[24:15];
+  assign \write_en$520  = unit_en[50];
+  assign \write$521  = { \$68 [647:576], \$66  };
+  assign \activations$522  = activations;
+  assign \control$523  = control3;
+  assign \shift$524  = shift;
+  assign \chain_o$526  = \chain_i$525 ;
+  assign \address$527  = step[24:15];
+  assign \write_en$528  = unit_en[51];
+  assign \write$529  = { \$68 [647:576], \$66  };
+  assign \activations$530  = activations;
+  assign \control$531  = control3;
+  assign \shift$532  = shift;
+  assign \chain_o$534  = \chain_i$533 ;
+  assign \address$535  = step[24:15];
+  assign \write_en$536  = unit_en[52];
+  assign \write$537  = { \$68 [647:576], \$66  };
+  assign \activations$538  = activations;
+  assign \control$539  = control3;
+  assign \shift$540  = shift;
+  assign \chain_o$542  = \chain_i$541 ;
+  assign \address$543  = step[24:15];
+  assign \write_en$544  = unit_en[53];
+  assign \write$545  = { \$68 [647:576], \$66  };
+  assign \activations$546  = activations;
+  assign \control$547  = control3;
+  assign \shift$548  = shift;
+  assign \chain_o$550  = \chain_i$549 ;
+  assign \address$551  = step[24:15];
+  assign \write_en$552  = unit_en[54];
+  assign \write$553  = { \$68 [647:576], \$66  };
+  assign \activations$554  = activations;
+  assign \control$555  = control3;
+  assign \shift$556  = shift;
+  assign \chain_o$558  = \chain_i$557 ;
+  assign \address$559  = step[24:15];
+  assign \write_en$560  = unit_en[55];
+  assign \write$561  = { \$68 [647:576], \$66  };
+  assign \activations$562  = activations;
+  assign \control$563  = control3;
+  assign \shift$564  = shift;
+  assign \chain_o$566  = \chain_i$565 ;
+  assign \address$567  = step[24:15];
+  assign \write_en$568  = unit_en[56];
+  assign \write$569  = { \$68 [647:576], \$66  };
+  assign \activations$570  = activations;
+  assign \control$571  = control3;
+  assign \shift$572  = shift;
+  assign \chain_o$574  = \chain_i$573 ;
+  assign \address$575  = step[24:15];
+  assign \write_en$576  = unit_en[57];
+  assign \write$577  = { \$68 [647:576], \$66  };
+  assign \activations$578  = activations;
+  assign \control$579  = control3;
+  assign \shift$580  = shift;
+  assign \chain_o$582  = \chain_i$581 ;
+  assign \address$583  = step[24:15];
+  assign \write_en$584  = unit_en[58];
+  assign \write$585  = { \$68 [647:576], \$66  };
   assign \activations$586  = activations;
   assign \control$587  = control3;
   assign \shift$588  = shift;
-  assign \address$589  = step[23:15];
-  assign \write_en$590  = unit_en[62];
-  assign \write$591  = { \$72 [519:448], \$70  };
-  assign \activations$592  = activations;
-  assign \control$593  = control3;
-  assign \shift$594  = shift;
-  assign \address$595  = step[23:15];
-  assign \write_en$596  = unit_en[63];
-  assign \write$597  = { \$72 [519:448], \$70  };
-  assign \activations$598  = activations;
-  assign \control$599  = control3;
-  assign \shift$600  = shift;
-  assign soft_reset = \port$1022$0 [3];
+  assign \chain_o$590  = \chain_i$589 ;
+  assign \address$591  = step[24:15];
+  assign \write_en$592  = unit_en[59];
+  assign \write$593  = { \$68 [647:576], \$66  };
+  assign \activations$594  = activations;
+  assign \control$595  = control3;
+  assign \shift$596  = shift;
+  assign \chain_o$598  = \chain_i$597 ;
+  assign \address$599  = step[24:15];
+  assign \write_en$600  = unit_en[60];
+  assign \write$601  = { \$68 [647:576], \$66  };
+  assign \activations$602  = activations;
+  assign \control$603  = control3;
+  assign \shift$604  = shift;
+  assign \address$605  = step[24:15];
+  assign \write_en$606  = unit_en[61];
+  assign \write$607  = { \$68 [647:576], \$66  };
+  assign \activations$608  = activations;
+  assign \control$609  = control3;
+  assign \shift$610  = shift;
+  assign \address$611  = step[24:15];
+  assign \write_en$612  = unit_en[62];
+  assign \write$613  = { \$68 [647:576], \$66  };
+  assign \activations$614  = activations;
+  assign \control$615  = control3;
+  assign \shift$616  = shift;
+  assign \address$617  = step[24:15];
+  assign \write_en$618  = unit_en[63];
+  assign \write$619  = { \$68 [647:576], \$66  };
+  assign \activations$620  = activations;
+  assign \control$621  = control3;
+  assign \shift$622  = shift;
+  assign soft_reset = \port$1170$0 [3];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[46:32];
-  assign \shape.tail  = shape[48:47];
-  assign \shape.blocks  = shape[62:49];
-  assign \shape.ingest_words  = shape[76:63];
-  assign \shape.tiles  = shape[88:77];
-  assign \shape.output_words  = shape[100:89];
-  assign \shape.beats_in  = shape[116:101];
-  assign \shape.beats_out  = shape[132:117];
-  assign \shape$13.height  = shape[15:0];
-  assign \shape$13.width  = shape[31:16];
-  assign \shape$13.groups  = shape[46:32];
-  assign \shape$13.tail  = shape[48:47];
-  assign \shape$13.blocks  = shape[62:49];
-  assign \shape$13.ingest_words  = shape[76:63];
-  assign \shape$13.tiles  = shape[88:77];
-  assign \shape$13.output_words  = shape[100:89];
-  assign \shape$13.beats_in  = shape[116:101];
-  assign \shape$13.beats_out  = shape[132:117];
+  assign \shape.out_height  = shape[47:32];
+  assign \shape.groups  = shape[62:48];
+  assign \shape.tail  = shape[64:63];
+  assign \shape.blocks  = shape[78:65];
+  assign \shape.ingest_words  = shape[92:79];
+  assign \shape.column_words  = shape[107:93];
+  assign \shape.tiles  = shape[119:108];
+  assign \shape.output_words  = shape[131:120];
+  assign \shape.beats_in  = shape[147:132];
+  assign \shape.beats_out  = shape[163:148];
+  assign \shape.pointwise  = shape[164];
+  assign \shape.halved  = shape[165];
+  assign \shape.biased  = shape[166];
+  assign \shape$19.height  = shape[15:0];
+  assign \shape$19.width  = shape[31:16];
+  assign \shape$19.out_height  = shape[47:32];
+  assign \shape$19.groups  = shape[62:48];
+  assign \shape$19.tail  = shape[64:63];
+  assign \shape$19.blocks  = shape[78:65];
+  assign \shape$19.ingest_words  = shape[92:79];
+  assign \shape$19.column_words  = shape[107:93];
+  assign \shape$19.tiles  = shape[119:108];
+  assign \shape$19.output_words  = shape[131:120];
+  assign \shape$19.beats_in  = shape[147:132];
+  assign \shape$19.beats_out  = shape[163:148];
+  assign \shape$19.pointwise  = shape[164];
+  assign \shape$19.halved  = shape[165];
+  assign \shape$19.biased  = shape[166];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
-  assign \i__payload$24.data  = i__payload[63:0];
-  assign \i__payload$24.last  = i__payload[64];
-  assign \i__payload$41.data  = \i__payload$41 [47:0];
-  assign \i__payload$41.pixel_last  = \i__payload$41 [48];
-  assign \i__payload$41.last  = \i__payload$41 [49];
-  assign \o__payload$42.data  = \i__payload$41 [47:0];
-  assign \o__payload$42.pixel_last  = \i__payload$41 [48];
-  assign \o__payload$42.last  = \i__payload$41 [49];
-  assign \o__payload$47.data  = \o__payload$47 [63:0];
-  assign \o__payload$47.last  = \o__payload$47 [64];
-  assign \o__payload$48.data  = \o__payload$47 [63:0];
-  assign \o__payload$48.last  = \o__payload$47 [64];
-  assign \i__payload$53.data  = \i__payload$53 [63:0];
-  assign \i__payload$53.last  = \i__payload$53 [64];
-  assign \params__payload.data  = \i__payload$53 [63:0];
-  assign \params__payload.last  = \i__payload$53 [64];
-  assign \shape$59.height  = shape[15:0];
-  assign \shape$59.width  = shape[31:16];
-  assign \shape$59.groups  = shape[46:32];
-  assign \shape$59.tail  = shape[48:47];
-  assign \shape$59.blocks  = shape[62:49];
-  assign \shape$59.ingest_words  = shape[76:63];
-  assign \shape$59.tiles  = shape[88:77];
-  assign \shape$59.output_words  = shape[100:89];
-  assign \shape$59.beats_in  = shape[116:101];
-  assign \shape$59.beats_out  = shape[132:117];
-  assign \shape$60.height  = shape[15:0];
-  assign \shape$60.width  = shape[31:16];
-  assign \shape$60.groups  = shape[46:32];
-  assign \shape$60.tail  = shape[48:47];
-  assign \shape$60.blocks  = shape[62:49];
-  assign \shape$60.ingest_words  = shape[76:63];
-  assign \shape$60.tiles  = shape[88:77];
-  assign \shape$60.output_words  = shape[100:89];
-  assign \shape$60.beats_in  = shape[116:101];
-  assign \shape$60.beats_out  = shape[132:117];
-  assign \shape$61.height  = shape[15:0];
-  assign \shape$61.width  = shape[31:16];
-  assign \shape$61.groups  = shape[46:32];
-  assign \shape$61.tail  = shape[48:47];
-  assign \shape$61.blocks  = shape[62:49];
-  assign \shape$61.ingest_words  = shape[76:63];
-  assign \shape$61.tiles  = shape[88:77];
-  assign \shape$61.output_words  = shape[100:89];
-  assign \shape$61.beats_in  = shape[116:101];
-  assign \shape$61.beats_out  = shape[132:117];
-  assign \shape$62.height  = shape[15:0];
-  assign \shape$62.width  = shape[31:16];
-  assign \shape$62.groups  = shape[46:32];
-  assign \shape$62.tail  = shape[48:47];
-  assign \shape$62.blocks  = shape[62:49];
-  assign \shape$62.ingest_words  = shape[76:63];
-  assign \shape$62.tiles  = shape[88:77];
-  assign \shape$62.output_words  = shape[100:89];
-  assign \shape$62.beats_in  = shape[116:101];
-  assign \shape$62.beats_out  = shape[132:117];
+  assign \i__payload$42.data  = i__payload[63:0];
+  assign \i__payload$42.last  = i__payload[64];
+  assign \i__payload$59.data  = \i__payload$59 [47:0];
+  assign \i__payload$59.pixel_last  = \i__payload$59 [48];
+  assign \i__payload$59.last  = \i__payload$59 [49];
+  assign \o__payload$60.data  = \i__payload$59 [47:0];
+  assign \o__payload$60.pixel_last  = \i__payload$59 [48];
+  assign \o__payload$60.last  = \i__payload$59 [49];
+  assign \o__payload$65.data  = \o__payload$65 [63:0];
+  assign \o__payload$65.last  = \o__payload$65 [64];
+  assign \o__payload$66.data  = \o__payload$65 [63:0];
+  assign \o__payload$66.last  = \o__payload$65 [64];
+  assign \i__payload$71.data  = \i__payload$71 [63:0];
+  assign \i__payload$71.last  = \i__payload$71 [64];
+  assign \params__payload.data  = \i__payload$71 [63:0];
+  assign \params__payload.last  = \i__payload$71 [64];
+  assign \shape$77.height  = shape[15:0];
+  assign \shape$77.width  = shape[31:16];
+  assign \shape$77.out_height  = shape[47:32];
+  assign \shape$77.groups  = shape[62:48];
+  assign \shape$77.tail  = shape[64:63];
+  assign \shape$77.blocks  = shape[78:65];
+  assign \shape$77.ingest_words  = shape[92:79];
+  assign \shape$77.column_words  = shape[107:93];
+  assign \shape$77.tiles  = shape[119:108];
+  assign \shape$77.output_words  = shape[131:120];
+  assign \shape$77.beats_in  = shape[147:132];
+  assign \shape$77.beats_out  = shape[163:148];
+  assign \shape$77.pointwise  = shape[164];
+  assign \shape$77.halved  = shape[165];
+  assign \shape$77.biased  = shape[166];
+  assign \shape$78.height  = shape[15:0];
+  assign \shape$78.width  = shape[31:16];
+  assign \shape$78.out_height  = shape[47:32];
+  assign \shape$78.groups  = shape[62:48];
+  assign \shape$78.tail  = shape[64:63];
+  assign \shape$78.blocks  = shape[78:65];
+  assign \shape$78.ingest_words  = shape[92:79];
+  assign \shape$78.column_words  = shape[107:93];
+  assign \shape$78.tiles  = shape[119:108];
+  assign \shape$78.output_words  = shape[131:120];
+  assign \shape$78.beats_in  = shape[147:132];
+  assign \shape$78.beats_out  = shape[163:148];
+  assign \shape$78.pointwise  = shape[164];
+  assign \shape$78.halved  = shape[165];
+  assign \shape$78.biased  = shape[166];
+  assign \shape$79.height  = shape[15:0];
+  assign \shape$79.width  = shape[31:16];
+  assign \shape$79.out_height  = shape[47:32];
+  assign \shape$79.groups  = shape[62:48];
+  assign \shape$79.tail  = shape[64:63];
+  assign \shape$79.blocks  = shape[78:65];
+  assign \shape$79.ingest_words  = shape[92:79];
+  assign \shape$79.column_words  = shape[107:93];
+  assign \shape$79.tiles  = shape[119:108];
+  assign \shape$79.output_words  = shape[131:120];
+  assign \shape$79.beats_in  = shape[147:132];
+  assign \shape$79.beats_out  = shape[163:148];
+  assign \shape$79.pointwise  = shape[164];
+  assign \shape$79.halved  = shape[165];
+  assign \shape$79.biased  = shape[166];
+  assign \shape$80.height  = shape[15:0];
+  assign \shape$80.width  = shape[31:16];
+  assign \shape$80.out_height  = shape[47:32];
+  assign \shape$80.groups  = shape[62:48];
+  assign \shape$80.tail  = shape[64:63];
+  assign \shape$80.blocks  = shape[78:65];
+  assign \shape$80.ingest_words  = shape[92:79];
+  assign \shape$80.column_words  = shape[107:93];
+  assign \shape$80.tiles  = shape[119:108];
+  assign \shape$80.output_words  = shape[131:120];
+  assign \shape$80.beats_in  = shape[147:132];
+  assign \shape$80.beats_out  = shape[163:148];
+  assign \shape$80.pointwise  = shape[164];
+  assign \shape$80.halved  = shape[165];
+  assign \shape$80.biased  = shape[166];
   assign \read.slot  = step[1:0];
   assign \read.address  = step[9:2];
   assign \read.bank  = step[10];
@@ -4154,22 +4363,23 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \step.read.address  = step[9:2];
   assign \step.read.bank  = step[10];
   assign \step.read.mask  = step[14:11];
-  assign \step.weight  = step[23:15];
-  assign \step.control  = step[31:24];
-  assign \step.control.en  = step[24];
-  assign \step.control.first  = step[25];
-  assign \step.control.last  = step[26];
-  assign \step.control.edge  = step[27];
-  assign \step.control.tile  = step[31:28];
-  assign \step.info  = step[41:32];
-  assign \step.info.tile  = step[35:32];
-  assign \step.info.tile_last  = step[36];
-  assign \step.info.slots  = step[40:37];
-  assign \step.info.image_last  = step[41];
-  assign \write.addr  = \$71 ;
-  assign \write.data  = \$72 ;
-  assign \requant.addr  = \$71 ;
-  assign \requant.data  = \$72 ;
+  assign \step.weight  = step[24:15];
+  assign \step.control  = step[32:25];
+  assign \step.control.en  = step[25];
+  assign \step.control.first  = step[26];
+  assign \step.control.last  = step[27];
+  assign \step.control.edge  = step[28];
+  assign \step.control.tile  = step[32:29];
+  assign \step.info  = step[43:33];
+  assign \step.info.tile  = step[36:33];
+  assign \step.info.tile_last  = step[37];
+  assign \step.info.slots  = step[41:38];
+  assign \step.info.edge  = step[42];
+  assign \step.info.image_last  = step[43];
+  assign \write.addr  = \$67 ;
+  assign \write.data  = \$68 ;
+  assign \requant.addr  = \$67 ;
+  assign \requant.data  = \$68 ;
   assign \control3.en  = control3[0];
   assign \control3.first  = control3[1];
   assign \control3.last  = control3[2];
@@ -4178,15 +4388,17 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \info.tile  = info[3:0];
   assign \info.tile_last  = info[4];
   assign \info.slots  = info[8:5];
-  assign \info.image_last  = info[9];
+  assign \info.edge  = info[9];
+  assign \info.image_last  = info[10];
   assign \info3.tile  = info[3:0];
   assign \info3.tile_last  = info[4];
   assign \info3.slots  = info[8:5];
-  assign \info3.image_last  = info[9];
-  assign \write$91.addr  = \$70 ;
-  assign \write$91.data  = \$72 [519:448];
-  assign \weight.addr  = \$70 ;
-  assign \weight.data  = \$72 [519:448];
+  assign \info3.edge  = info[9];
+  assign \info3.image_last  = info[10];
+  assign \write$113.addr  = \$66 ;
+  assign \write$113.data  = \$68 [647:576];
+  assign \weight.addr  = \$66 ;
+  assign \weight.data  = \$68 [647:576];
   assign \control.en  = control3[0];
   assign \control.first  = control3[1];
   assign \control.last  = control3[2];
@@ -4220,935 +4432,935 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \chain_i[1]  = chain_i[37:19];
   assign \chain_i[2]  = chain_i[56:38];
   assign \chain_i[3]  = chain_i[75:57];
-  assign \chain_o$101[0]  = chain_i[18:0];
-  assign \chain_o$101[1]  = chain_i[37:19];
-  assign \chain_o$101[2]  = chain_i[56:38];
-  assign \chain_o$101[3]  = chain_i[75:57];
-  assign \write$104.addr  = \$70 ;
-  assign \write$104.data  = \$72 [519:448];
-  assign \control$106.en  = control3[0];
-  assign \control$106.first  = control3[1];
-  assign \control$106.last  = control3[2];
-  assign \control$106.edge  = control3[3];
-  assign \control$106.tile  = control3[7:4];
-  assign \chain_o$108[0]  = \chain_o$108 [18:0];
-  assign \chain_o$108[1]  = \chain_o$108 [37:19];
-  assign \chain_o$108[2]  = \chain_o$108 [56:38];
-  assign \chain_o$108[3]  = \chain_o$108 [75:57];
-  assign \chain_i$109[0]  = \chain_i$109 [18:0];
-  assign \chain_i$109[1]  = \chain_i$109 [37:19];
-  assign \chain_i$109[2]  = \chain_i$109 [56:38];
-  assign \chain_i$109[3]  = \chain_i$109 [75:57];
-  assign \chain_o$110[0]  = \chain_i$109 [18:0];
-  assign \chain_o$110[1]  = \chain_i$109 [37:19];
-  assign \chain_o$110[2]  = \chain_i$109 [56:38];
-  assign \chain_o$110[3]  = \chain_i$109 [75:57];
-  assign \write$113.addr  = \$70 ;
-  assign \write$113.data  = \$72 [519:448];
-  assign \control$115.en  = control3[0];
-  assign \control$115.first  = control3[1];
-  assign \control$115.last  = control3[2];
-  assign \control$115.edge  = control3[3];
-  assign \control$115.tile  = control3[7:4];
-  assign \chain_o$117[0]  = \chain_o$117 [18:0];
-  assign \chain_o$117[1]  = \chain_o$117 [37:19];
-  assign \chain_o$117[2]  = \chain_o$117 [56:38];
-  assign \chain_o$117[3]  = \chain_o$117 [75:57];
-  assign \chain_i$118[0]  = \chain_i$118 [18:0];
-  assign \chain_i$118[1]  = \chain_i$118 [37:19];
-  assign \chain_i$118[2]  = \chain_i$118 [56:38];
-  assign \chain_i$118[3]  = \chain_i$118 [75:57];
-  assign \chain_o$119[0]  = \chain_i$118 [18:0];
-  assign \chain_o$119[1]  = \chain_i$118 [37:19];
-  assign \chain_o$119[2]  = \chain_i$118 [56:38];
-  assign \chain_o$119[3]  = \chain_i$118 [75:57];
-  assign \write$122.addr  = \$70 ;
-  assign \write$122.data  = \$72 [519:448];
-  assign \control$124.en  = control3[0];
-  assign \control$124.first  = control3[1];
-  assign \control$124.last  = control3[2];
-  assign \control$124.edge  = control3[3];
-  assign \control$124.tile  = control3[7:4];
-  assign \chain_o$126[0]  = \chain_o$126 [18:0];
-  assign \chain_o$126[1]  = \chain_o$126 [37:19];
-  assign \chain_o$126[2]  = \chain_o$126 [56:38];
-  assign \chain_o$126[3]  = \chain_o$126 [75:57];
-  assign \chain_i$127[0]  = \chain_i$127 [18:0];
-  assign \chain_i$127[1]  = \chain_i$127 [37:19];
-  assign \chain_i$127[2]  = \chain_i$127 [56:38];
-  assign \chain_i$127[3]  = \chain_i$127 [75:57];
-  assign \chain_o$128[0]  = \chain_i$127 [18:0];
-  assign \chain_o$128[1]  = \chain_i$127 [37:19];
-  assign \chain_o$128[2]  = \chain_i$127 [56:38];
-  assign \chain_o$128[3]  = \chain_i$127 [75:57];
-  assign \write$131.addr  = \$70 ;
-  assign \write$131.data  = \$72 [519:448];
-  assign \control$133.en  = control3[0];
-  assign \control$133.first  = control3[1];
-  assign \control$133.last  = control3[2];
-  assign \control$133.edge  = control3[3];
-  assign \control$133.tile  = control3[7:4];
-  assign \chain_i$135[0]  = \chain_i$135 [18:0];
-  assign \chain_i$135[1]  = \chain_i$135 [37:19];
-  assign \chain_i$135[2]  = \chain_i$135 [56:38];
-  assign \chain_i$135[3]  = \chain_i$135 [75:57];
-  assign \chain_o$136[0]  = \chain_i$135 [18:0];
-  assign \chain_o$136[1]  = \chain_i$135 [37:19];
-  assign \chain_o$136[2]  = \chain_i$135 [56:38];
-  assign \chain_o$136[3]  = \chain_i$135 [75:57];
-  assign \write$139.addr  = \$70 ;
-  assign \write$139.data  = \$72 [519:448];
-  assign \control$141.en  = control3[0];
-  assign \control$141.first  = control3[1];
-  assign \control$141.last  = control3[2];
-  assign \control$141.edge  = control3[3];
-  assign \control$141.tile  = control3[7:4];
-  assign \chain_i$143[0]  = \chain_i$143 [18:0];
-  assign \chain_i$143[1]  = \chain_i$143 [37:19];
-  assign \chain_i$143[2]  = \chain_i$143 [56:38];
-  assign \chain_i$143[3]  = \chain_i$143 [75:57];
-  assign \chain_o$144[0]  = \chain_i$143 [18:0];
-  assign \chain_o$144[1]  = \chain_i$143 [37:19];
-  assign \chain_o$144[2]  = \chain_i$143 [56:38];
-  assign \chain_o$144[3]  = \chain_i$143 [75:57];
-  assign \write$147.addr  = \$70 ;
-  assign \write$147.data  = \$72 [519:448];
-  assign \control$149.en  = control3[0];
-  assign \control$149.first  = control3[1];
-  assign \control$149.last  = control3[2];
-  assign \control$149.edge  = control3[3];
-  assign \control$149.tile  = control3[7:4];
-  assign \chain_i$151[0]  = \chain_i$151 [18:0];
-  assign \chain_i$151[1]  = \chain_i$151 [37:19];
-  assign \chain_i$151[2]  = \chain_i$151 [56:38];
-  assign \chain_i$151[3]  = \chain_i$151 [75:57];
-  assign \chain_o$152[0]  = \chain_i$151 [18:0];
-  assign \chain_o$152[1]  = \chain_i$151 [37:19];
-  assign \chain_o$152[2]  = \chain_i$151 [56:38];
-  assign \chain_o$152[3]  = \chain_i$151 [75:57];
-  assign \write$155.addr  = \$70 ;
-  assign \write$155.data  = \$72 [519:448];
-  assign \control$157.en  = control3[0];
-  assign \control$157.first  = control3[1];
-  assign \control$157.last  = control3[2];
-  assign \control$157.edge  = control3[3];
-  assign \control$157.tile  = control3[7:4];
-  assign \chain_i$159[0]  = \chain_i$159 [18:0];
-  assign \chain_i$159[1]  = \chain_i$159 [37:19];
-  assign \chain_i$159[2]  = \chain_i$159 [56:38];
-  assign \chain_i$159[3]  = \chain_i$159 [75:57];
-  assign \chain_o$160[0]  = \chain_i$159 [18:0];
-  assign \chain_o$160[1]  = \chain_i$159 [37:19];
-  assign \chain_o$160[2]  = \chain_i$159 [56:38];
-  assign \chain_o$160[3]  = \chain_i$159 [75:57];
-  assign \write$163.addr  = \$70 ;
-  assign \write$163.data  = \$72 [519:448];
-  assign \control$165.en  = control3[0];
-  assign \control$165.first  = control3[1];
-  assign \control$165.last  = control3[2];
-  assign \control$165.edge  = control3[3];
-  assign \control$165.tile  = control3[7:4];
-  assign \chain_i$167[0]  = \chain_i$167 [18:0];
-  assign \chain_i$167[1]  = \chain_i$167 [37:19];
-  assign \chain_i$167[2]  = \chain_i$167 [56:38];
-  assign \chain_i$167[3]  = \chain_i$167 [75:57];
-  assign \chain_o$168[0]  = \chain_i$167 [18:0];
-  assign \chain_o$168[1]  = \chain_i$167 [37:19];
-  assign \chain_o$168[2]  = \chain_i$167 [56:38];
-  assign \chain_o$168[3]  = \chain_i$167 [75:57];
-  assign \write$171.addr  = \$70 ;
-  assign \write$171.data  = \$72 [519:448];
-  assign \control$173.en  = control3[0];
-  assign \control$173.first  = control3[1];
-  assign \control$173.last  = control3[2];
-  assign \control$173.edge  = control3[3];
-  assign \control$173.tile  = control3[7:4];
-  assign \chain_i$175[0]  = \chain_i$175 [18:0];
-  assign \chain_i$175[1]  = \chain_i$175 [37:19];
-  assign \chain_i$175[2]  = \chain_i$175 [56:38];
-  assign \chain_i$175[3]  = \chain_i$175 [75:57];
-  assign \chain_o$176[0]  = \chain_i$175 [18:0];
-  assign \chain_o$176[1]  = \chain_i$175 [37:19];
-  assign \chain_o$176[2]  = \chain_i$175 [56:38];
-  assign \chain_o$176[3]  = \chain_i$175 [75:57];
-  assign \write$179.addr  = \$70 ;
-  assign \write$179.data  = \$72 [519:448];
-  assign \control$181.en  = control3[0];
-  assign \control$181.first  = control3[1];
-  assign \control$181.last  = control3[2];
-  assign \control$181.edge  = control3[3];
-  assign \control$181.tile  = control3[7:4];
-  assign \chain_i$183[0]  = \chain_i$183 [18:0];
-  assign \chain_i$183[1]  = \chain_i$183 [37:19];
-  assign \chain_i$183[2]  = \chain_i$183 [56:38];
-  assign \chain_i$183[3]  = \chain_i$183 [75:57];
-  assign \chain_o$184[0]  = \chain_i$183 [18:0];
-  assign \chain_o$184[1]  = \chain_i$183 [37:19];
-  assign \chain_o$184[2]  = \chain_i$183 [56:38];
-  assign \chain_o$184[3]  = \chain_i$183 [75:57];
-  assign \write$187.addr  = \$70 ;
-  assign \write$187.data  = \$72 [519:448];
-  assign \control$189.en  = control3[0];
-  assign \control$189.first  = control3[1];
-  assign \control$189.last  = control3[2];
-  assign \control$189.edge  = control3[3];
-  assign \control$189.tile  = control3[7:4];
-  assign \chain_i$191[0]  = \chain_i$191 [18:0];
-  assign \chain_i$191[1]  = \chain_i$191 [37:19];
-  assign \chain_i$191[2]  = \chain_i$191 [56:38];
-  assign \chain_i$191[3]  = \chain_i$191 [75:57];
-  assign \chain_o$192[0]  = \chain_i$191 [18:0];
-  assign \chain_o$192[1]  = \chain_i$191 [37:19];
-  assign \chain_o$192[2]  = \chain_i$191 [56:38];
-  assign \chain_o$192[3]  = \chain_i$191 [75:57];
-  assign \write$195.addr  = \$70 ;
-  assign \write$195.data  = \$72 [519:448];
-  assign \control$197.en  = control3[0];
-  assign \control$197.first  = control3[1];
-  assign \control$197.last  = control3[2];
-  assign \control$197.edge  = control3[3];
-  assign \control$197.tile  = control3[7:4];
-  assign \chain_i$199[0]  = \chain_i$199 [18:0];
-  assign \chain_i$199[1]  = \chain_i$199 [37:19];
-  assign \chain_i$199[2]  = \chain_i$199 [56:38];
-  assign \chain_i$199[3]  = \chain_i$199 [75:57];
-  assign \chain_o$200[0]  = \chain_i$199 [18:0];
-  assign \chain_o$200[1]  = \chain_i$199 [37:19];
-  assign \chain_o$200[2]  = \chain_i$199 [56:38];
-  assign \chain_o$200[3]  = \chain_i$199 [75:57];
-  assign \write$203.addr  = \$70 ;
-  assign \write$203.data  = \$72 [519:448];
-  assign \control$205.en  = control3[0];
-  assign \control$205.first  = control3[1];
-  assign \control$205.last  = control3[2];
-  assign \control$205.edge  = control3[3];
-  assign \control$205.tile  = control3[7:4];
-  assign \chain_i$207[0]  = \chain_i$207 [18:0];
-  assign \chain_i$207[1]  = \chain_i$207 [37:19];
-  assign \chain_i$207[2]  = \chain_i$207 [56:38];
-  assign \chain_i$207[3]  = \chain_i$207 [75:57];
-  assign \chain_o$208[0]  = \chain_i$207 [18:0];
-  assign \chain_o$208[1]  = \chain_i$207 [37:19];
-  assign \chain_o$208[2]  = \chain_i$207 [56:38];
-  assign \chain_o$208[3]  = \chain_i$207 [75:57];
-  assign \write$211.addr  = \$70 ;
-  assign \write$211.data  = \$72 [519:448];
-  assign \control$213.en  = control3[0];
-  assign \control$213.first  = control3[1];
-  assign \control$213.last  = control3[2];
-  assign \control$213.edge  = control3[3];
-  assign \control$213.tile  = control3[7:4];
-  assign \chain_i$215[0]  = \chain_i$215 [18:0];
-  assign \chain_i$215[1]  = \chain_i$215 [37:19];
-  assign \chain_i$215[2]  = \chain_i$215 [56:38];
-  assign \chain_i$215[3]  = \chain_i$215 [75:57];
-  assign \chain_o$216[0]  = \chain_i$215 [18:0];
-  assign \chain_o$216[1]  = \chain_i$215 [37:19];
-  assign \chain_o$216[2]  = \chain_i$215 [56:38];
-  assign \chain_o$216[3]  = \chain_i$215 [75:57];
-  assign \write$219.addr  = \$70 ;
-  assign \write$219.data  = \$72 [519:448];
-  assign \control$221.en  = control3[0];
-  assign \control$221.first  = control3[1];
-  assign \control$221.last  = control3[2];
-  assign \control$221.edge  = control3[3];
-  assign \control$221.tile  = control3[7:4];
-  assign \chain_i$223[0]  = \chain_i$223 [18:0];
-  assign \chain_i$223[1]  = \chain_i$223 [37:19];
-  assign \chain_i$223[2]  = \chain_i$223 [56:38];
-  assign \chain_i$223[3]  = \chain_i$223 [75:57];
-  assign \chain_o$224[0]  = \chain_i$223 [18:0];
-  assign \chain_o$224[1]  = \chain_i$223 [37:19];
-  assign \chain_o$224[2]  = \chain_i$223 [56:38];
-  assign \chain_o$224[3]  = \chain_i$223 [75:57];
-  assign \write$227.addr  = \$70 ;
-  assign \write$227.data  = \$72 [519:448];
-  assign \control$229.en  = control3[0];
-  assign \control$229.first  = control3[1];
-  assign \control$229.last  = control3[2];
-  assign \control$229.edge  = control3[3];
-  assign \control$229.tile  = control3[7:4];
-  assign \chain_i$231[0]  = \chain_i$231 [18:0];
-  assign \chain_i$231[1]  = \chain_i$231 [37:19];
-  assign \chain_i$231[2]  = \chain_i$231 [56:38];
-  assign \chain_i$231[3]  = \chain_i$231 [75:57];
-  assign \chain_o$232[0]  = \chain_i$231 [18:0];
-  assign \chain_o$232[1]  = \chain_i$231 [37:19];
-  assign \chain_o$232[2]  = \chain_i$231 [56:38];
-  assign \chain_o$232[3]  = \chain_i$231 [75:57];
-  assign \write$235.addr  = \$70 ;
-  assign \write$235.data  = \$72 [519:448];
-  assign \control$237.en  = control3[0];
-  assign \control$237.first  = control3[1];
-  assign \control$237.last  = control3[2];
-  assign \control$237.edge  = control3[3];
-  assign \control$237.tile  = control3[7:4];
-  assign \chain_i$239[0]  = \chain_i$239 [18:0];
-  assign \chain_i$239[1]  = \chain_i$239 [37:19];
-  assign \chain_i$239[2]  = \chain_i$239 [56:38];
-  assign \chain_i$239[3]  = \chain_i$239 [75:57];
-  assign \chain_o$240[0]  = \chain_i$239 [18:0];
-  assign \chain_o$240[1]  = \chain_i$239 [37:19];
-  assign \chain_o$240[2]  = \chain_i$239 [56:38];
-  assign \chain_o$240[3]  = \chain_i$239 [75:57];
-  assign \write$243.addr  = \$70 ;
-  assign \write$243.data  = \$72 [519:448];
-  assign \control$245.en  = control3[0];
-  assign \control$245.first  = control3[1];
-  assign \control$245.last  = control3[2];
-  assign \control$245.edge  = control3[3];
-  assign \control$245.tile  = control3[7:4];
-  assign \chain_i$247[0]  = \chain_i$247 [18:0];
-  assign \chain_i$247[1]  = \chain_i$247 [37:19];
-  assign \chain_i$247[2]  = \chain_i$247 [56:38];
-  assign \chain_i$247[3]  = \chain_i$247 [75:57];
-  assign \chain_o$248[0]  = \chain_i$247 [18:0];
-  assign \chain_o$248[1]  = \chain_i$247 [37:19];
-  assign \chain_o$248[2]  = \chain_i$247 [56:38];
-  assign \chain_o$248[3]  = \chain_i$247 [75:57];
-  assign \write$251.addr  = \$70 ;
-  assign \write$251.data  = \$72 [519:448];
-  assign \control$253.en  = control3[0];
-  assign \control$253.first  = control3[1];
-  assign \control$253.last  = control3[2];
-  assign \control$253.edge  = control3[3];
-  assign \control$253.tile  = control3[7:4];
-  assign \chain_i$255[0]  = \chain_i$255 [18:0];
-  assign \chain_i$255[1]  = \chain_i$255 [37:19];
-  assign \chain_i$255[2]  = \chain_i$255 [56:38];
-  assign \chain_i$255[3]  = \chain_i$255 [75:57];
-  assign \chain_o$256[0]  = \chain_i$255 [18:0];
-  assign \chain_o$256[1]  = \chain_i$255 [37:19];
-  assign \chain_o$256[2]  = \chain_i$255 [56:38];
-  assign \chain_o$256[3]  = \chain_i$255 [75:57];
-  assign \write$259.addr  = \$70 ;
-  assign \write$259.data  = \$72 [519:448];
-  assign \control$261.en  = control3[0];
-  assign \control$261.first  = control3[1];
-  assign \control$261.last  = control3[2];
-  assign \control$261.edge  = control3[3];
-  assign \control$261.tile  = control3[7:4];
-  assign \chain_i$263[0]  = \chain_i$263 [18:0];
-  assign \chain_i$263[1]  = \chain_i$263 [37:19];
-  assign \chain_i$263[2]  = \chain_i$263 [56:38];
-  assign \chain_i$263[3]  = \chain_i$263 [75:57];
-  assign \chain_o$264[0]  = \chain_i$263 [18:0];
-  assign \chain_o$264[1]  = \chain_i$263 [37:19];
-  assign \chain_o$264[2]  = \chain_i$263 [56:38];
-  assign \chain_o$264[3]  = \chain_i$263 [75:57];
-  assign \write$267.addr  = \$70 ;
-  assign \write$267.data  = \$72 [519:448];
-  assign \control$269.en  = control3[0];
-  assign \control$269.first  = control3[1];
-  assign \control$269.last  = control3[2];
-  assign \control$269.edge  = control3[3];
-  assign \control$269.tile  = control3[7:4];
-  assign \chain_i$271[0]  = \chain_i$271 [18:0];
-  assign \chain_i$271[1]  = \chain_i$271 [37:19];
-  assign \chain_i$271[2]  = \chain_i$271 [56:38];
-  assign \chain_i$271[3]  = \chain_i$271 [75:57];
-  assign \chain_o$272[0]  = \chain_i$271 [18:0];
-  assign \chain_o$272[1]  = \chain_i$271 [37:19];
-  assign \chain_o$272[2]  = \chain_i$271 [56:38];
-  assign \chain_o$272[3]  = \chain_i$271 [75:57];
-  assign \write$275.addr  = \$70 ;
-  assign \write$275.data  = \$72 [519:448];
-  assign \control$277.en  = control3[0];
-  assign \control$277.first  = control3[1];
-  assign \control$277.last  = control3[2];
-  assign \control$277.edge  = control3[3];
-  assign \control$277.tile  = control3[7:4];
-  assign \chain_i$279[0]  = \chain_i$279 [18:0];
-  assign \chain_i$279[1]  = \chain_i$279 [37:19];
-  assign \chain_i$279[2]  = \chain_i$279 [56:38];
-  assign \chain_i$279[3]  = \chain_i$279 [75:57];
-  assign \chain_o$280[0]  = \chain_i$279 [18:0];
-  assign \chain_o$280[1]  = \chain_i$279 [37:19];
-  assign \chain_o$280[2]  = \chain_i$279 [56:38];
-  assign \chain_o$280[3]  = \chain_i$279 [75:57];
-  assign \write$283.addr  = \$70 ;
-  assign \write$283.data  = \$72 [519:448];
-  assign \control$285.en  = control3[0];
-  assign \control$285.first  = control3[1];
-  assign \control$285.last  = control3[2];
-  assign \control$285.edge  = control3[3];
-  assign \control$285.tile  = control3[7:4];
-  assign \chain_i$287[0]  = \chain_i$287 [18:0];
-  assign \chain_i$287[1]  = \chain_i$287 [37:19];
-  assign \chain_i$287[2]  = \chain_i$287 [56:38];
-  assign \chain_i$287[3]  = \chain_i$287 [75:57];
-  assign \chain_o$288[0]  = \chain_i$287 [18:0];
-  assign \chain_o$288[1]  = \chain_i$287 [37:19];
-  assign \chain_o$288[2]  = \chain_i$287 [56:38];
-  assign \chain_o$288[3]  = \chain_i$287 [75:57];
-  assign \write$291.addr  = \$70 ;
-  assign \write$291.data  = \$72 [519:448];
-  assign \control$293.en  = control3[0];
-  assign \control$293.first  = control3[1];
-  assign \control$293.last  = control3[2];
-  assign \control$293.edge  = control3[3];
-  assign \control$293.tile  = control3[7:4];
-  assign \chain_i$295[0]  = \chain_i$295 [18:0];
-  assign \chain_i$295[1]  = \chain_i$295 [37:19];
-  assign \chain_i$295[2]  = \chain_i$295 [56:38];
-  assign \chain_i$295[3]  = \chain_i$295 [75:57];
-  assign \chain_o$296[0]  = \chain_i$295 [18:0];
-  assign \chain_o$296[1]  = \chain_i$295 [37:19];
-  assign \chain_o$296[2]  = \chain_i$295 [56:38];
-  assign \chain_o$296[3]  = \chain_i$295 [75:57];
-  assign \write$299.addr  = \$70 ;
-  assign \write$299.data  = \$72 [519:448];
-  assign \control$301.en  = control3[0];
-  assign \control$301.first  = control3[1];
-  assign \control$301.last  = control3[2];
-  assign \control$301.edge  = control3[3];
-  assign \control$301.tile  = control3[7:4];
-  assign \chain_i$303[0]  = \chain_i$303 [18:0];
-  assign \chain_i$303[1]  = \chain_i$303 [37:19];
-  assign \chain_i$303[2]  = \chain_i$303 [56:38];
-  assign \chain_i$303[3]  = \chain_i$303 [75:57];
-  assign \chain_o$304[0]  = \chain_i$303 [18:0];
-  assign \chain_o$304[1]  = \chain_i$303 [37:19];
-  assign \chain_o$304[2]  = \chain_i$303 [56:38];
-  assign \chain_o$304[3]  = \chain_i$303 [75:57];
-  assign \write$307.addr  = \$70 ;
-  assign \write$307.data  = \$72 [519:448];
-  assign \control$309.en  = control3[0];
-  assign \control$309.first  = control3[1];
-  assign \control$309.last  = control3[2];
-  assign \control$309.edge  = control3[3];
-  assign \control$309.tile  = control3[7:4];
-  assign \chain_i$311[0]  = \chain_i$311 [18:0];
-  assign \chain_i$311[1]  = \chain_i$311 [37:19];
-  assign \chain_i$311[2]  = \chain_i$311 [56:38];
-  assign \chain_i$311[3]  = \chain_i$311 [75:57];
-  assign \chain_o$312[0]  = \chain_i$311 [18:0];
-  assign \chain_o$312[1]  = \chain_i$311 [37:19];
-  assign \chain_o$312[2]  = \chain_i$311 [56:38];
-  assign \chain_o$312[3]  = \chain_i$311 [75:57];
-  assign \write$315.addr  = \$70 ;
-  assign \write$315.data  = \$72 [519:448];
-  assign \control$317.en  = control3[0];
-  assign \control$317.first  = control3[1];
-  assign \control$317.last  = control3[2];
-  assign \control$317.edge  = control3[3];
-  assign \control$317.tile  = control3[7:4];
-  assign \chain_i$319[0]  = \chain_i$319 [18:0];
-  assign \chain_i$319[1]  = \chain_i$319 [37:19];
-  assign \chain_i$319[2]  = \chain_i$319 [56:38];
-  assign \chain_i$319[3]  = \chain_i$319 [75:57];
-  assign \chain_o$320[0]  = \chain_i$319 [18:0];
-  assign \chain_o$320[1]  = \chain_i$319 [37:19];
-  assign \chain_o$320[2]  = \chain_i$319 [56:38];
-  assign \chain_o$320[3]  = \chain_i$319 [75:57];
-  assign \write$323.addr  = \$70 ;
-  assign \write$323.data  = \$72 [519:448];
-  assign \control$325.en  = control3[0];
-  assign \control$325.first  = control3[1];
-  assign \control$325.last  = control3[2];
-  assign \control$325.edge  = control3[3];
-  assign \control$325.tile  = control3[7:4];
-  assign \chain_i$327[0]  = \chain_i$327 [18:0];
-  assign \chain_i$327[1]  = \chain_i$327 [37:19];
-  assign \chain_i$327[2]  = \chain_i$327 [56:38];
-  assign \chain_i$327[3]  = \chain_i$327 [75:57];
-  assign \chain_o$328[0]  = \chain_i$327 [18:0];
-  assign \chain_o$328[1]  = \chain_i$327 [37:19];
-  assign \chain_o$328[2]  = \chain_i$327 [56:38];
-  assign \chain_o$328[3]  = \chain_i$327 [75:57];
-  assign \write$331.addr  = \$70 ;
-  assign \write$331.data  = \$72 [519:448];
-  assign \control$333.en  = control3[0];
-  assign \control$333.first  = control3[1];
-  assign \control$333.last  = control3[2];
-  assign \control$333.edge  = control3[3];
-  assign \control$333.tile  = control3[7:4];
-  assign \chain_i$335[0]  = \chain_i$335 [18:0];
-  assign \chain_i$335[1]  = \chain_i$335 [37:19];
-  assign \chain_i$335[2]  = \chain_i$335 [56:38];
-  assign \chain_i$335[3]  = \chain_i$335 [75:57];
-  assign \chain_o$336[0]  = \chain_i$335 [18:0];
-  assign \chain_o$336[1]  = \chain_i$335 [37:19];
-  assign \chain_o$336[2]  = \chain_i$335 [56:38];
-  assign \chain_o$336[3]  = \chain_i$335 [75:57];
-  assign \write$339.addr  = \$70 ;
-  assign \write$339.data  = \$72 [519:448];
-  assign \control$341.en  = control3[0];
-  assign \control$341.first  = control3[1];
-  assign \control$341.last  = control3[2];
-  assign \control$341.edge  = control3[3];
-  assign \control$341.tile  = control3[7:4];
-  assign \chain_i$343[0]  = \chain_i$343 [18:0];
-  assign \chain_i$343[1]  = \chain_i$343 [37:19];
-  assign \chain_i$343[2]  = \chain_i$343 [56:38];
-  assign \chain_i$343[3]  = \chain_i$343 [75:57];
-  assign \chain_o$344[0]  = \chain_i$343 [18:0];
-  assign \chain_o$344[1]  = \chain_i$343 [37:19];
-  assign \chain_o$344[2]  = \chain_i$343 [56:38];
-  assign \chain_o$344[3]  = \chain_i$343 [75:57];
-  assign \write$347.addr  = \$70 ;
-  assign \write$347.data  = \$72 [519:448];
-  assign \control$349.en  = control3[0];
-  assign \control$349.first  = control3[1];
-  assign \control$349.last  = control3[2];
-  assign \control$349.edge  = control3[3];
-  assign \control$349.tile  = control3[7:4];
-  assign \chain_i$351[0]  = \chain_i$351 [18:0];
-  assign \chain_i$351[1]  = \chain_i$351 [37:19];
-  assign \chain_i$351[2]  = \chain_i$351 [56:38];
-  assign \chain_i$351[3]  = \chain_i$351 [75:57];
-  assign \chain_o$352[0]  = \chain_i$351 [18:0];
-  assign \chain_o$352[1]  = \chain_i$351 [37:19];
-  assign \chain_o$352[2]  = \chain_i$351 [56:38];
-  assign \chain_o$352[3]  = \chain_i$351 [75:57];
-  assign \write$355.addr  = \$70 ;
-  assign \write$355.data  = \$72 [519:448];
-  assign \control$357.en  = control3[0];
-  assign \control$357.first  = control3[1];
-  assign \control$357.last  = control3[2];
-  assign \control$357.edge  = control3[3];
-  assign \control$357.tile  = control3[7:4];
-  assign \chain_i$359[0]  = \chain_i$359 [18:0];
-  assign \chain_i$359[1]  = \chain_i$359 [37:19];
-  assign \chain_i$359[2]  = \chain_i$359 [56:38];
-  assign \chain_i$359[3]  = \chain_i$359 [75:57];
-  assign \chain_o$360[0]  = \chain_i$359 [18:0];
-  assign \chain_o$360[1]  = \chain_i$359 [37:19];
-  assign \chain_o$360[2]  = \chain_i$359 [56:38];
-  assign \chain_o$360[3]  = \chain_i$359 [75:57];
-  assign \write$363.addr  = \$70 ;
-  assign \write$363.data  = \$72 [519:448];
-  assign \control$365.en  = control3[0];
-  assign \control$365.first  = control3[1];
-  assign \control$365.last  = control3[2];
-  assign \control$365.edge  = control3[3];
-  assign \control$365.tile  = control3[7:4];
-  assign \chain_i$367[0]  = \chain_i$367 [18:0];
-  assign \chain_i$367[1]  = \chain_i$367 [37:19];
-  assign \chain_i$367[2]  = \chain_i$367 [56:38];
-  assign \chain_i$367[3]  = \chain_i$367 [75:57];
-  assign \chain_o$368[0]  = \chain_i$367 [18:0];
-  assign \chain_o$368[1]  = \chain_i$367 [37:19];
-  assign \chain_o$368[2]  = \chain_i$367 [56:38];
-  assign \chain_o$368[3]  = \chain_i$367 [75:57];
-  assign \write$371.addr  = \$70 ;
-  assign \write$371.data  = \$72 [519:448];
-  assign \control$373.en  = control3[0];
-  assign \control$373.first  = control3[1];
-  assign \control$373.last  = control3[2];
-  assign \control$373.edge  = control3[3];
-  assign \control$373.tile  = control3[7:4];
-  assign \chain_i$375[0]  = \chain_i$375 [18:0];
-  assign \chain_i$375[1]  = \chain_i$375 [37:19];
-  assign \chain_i$375[2]  = \chain_i$375 [56:38];
-  assign \chain_i$375[3]  = \chain_i$375 [75:57];
-  assign \chain_o$376[0]  = \chain_i$375 [18:0];
-  assign \chain_o$376[1]  = \chain_i$375 [37:19];
-  assign \chain_o$376[2]  = \chain_i$375 [56:38];
-  assign \chain_o$376[3]  = \chain_i$375 [75:57];
-  assign \write$379.addr  = \$70 ;
-  assign \write$379.data  = \$72 [519:448];
-  assign \control$381.en  = control3[0];
-  assign \control$381.first  = control3[1];
-  assign \control$381.last  = control3[2];
-  assign \control$381.edge  = control3[3];
-  assign \control$381.tile  = control3[7:4];
-  assign \chain_i$383[0]  = \chain_i$383 [18:0];
-  assign \chain_i$383[1]  = \chain_i$383 [37:19];
-  assign \chain_i$383[2]  = \chain_i$383 [56:38];
-  assign \chain_i$383[3]  = \chain_i$383 [75:57];
-  assign \chain_o$384[0]  = \chain_i$383 [18:0];
-  assign \chain_o$384[1]  = \chain_i$383 [37:19];
-  assign \chain_o$384[2]  = \chain_i$383 [56:38];
-  assign \chain_o$384[3]  = \chain_i$383 [75:57];
-  assign \write$387.addr  = \$70 ;
-  assign \write$387.data  = \$72 [519:448];
-  assign \control$389.en  = control3[0];
-  assign \control$389.first  = control3[1];
-  assign \control$389.last  = control3[2];
-  assign \control$389.edge  = control3[3];
-  assign \control$389.tile  = control3[7:4];
-  assign \chain_i$391[0]  = \chain_i$391 [18:0];
-  assign \chain_i$391[1]  = \chain_i$391 [37:19];
-  assign \chain_i$391[2]  = \chain_i$391 [56:38];
-  assign \chain_i$391[3]  = \chain_i$391 [75:57];
-  assign \chain_o$392[0]  = \chain_i$391 [18:0];
-  assign \chain_o$392[1]  = \chain_i$391 [37:19];
-  assign \chain_o$392[2]  = \chain_i$391 [56:38];
-  assign \chain_o$392[3]  = \chain_i$391 [75:57];
-  assign \write$395.addr  = \$70 ;
-  assign \write$395.data  = \$72 [519:448];
-  assign \control$397.en  = control3[0];
-  assign \control$397.first  = control3[1];
-  assign \control$397.last  = control3[2];
-  assign \control$397.edge  = control3[3];
-  assign \control$397.tile  = control3[7:4];
-  assign \chain_i$399[0]  = \chain_i$399 [18:0];
-  assign \chain_i$399[1]  = \chain_i$399 [37:19];
-  assign \chain_i$399[2]  = \chain_i$399 [56:38];
-  assign \chain_i$399[3]  = \chain_i$399 [75:57];
-  assign \chain_o$400[0]  = \chain_i$399 [18:0];
-  assign \chain_o$400[1]  = \chain_i$399 [37:19];
-  assign \chain_o$400[2]  = \chain_i$399 [56:38];
-  assign \chain_o$400[3]  = \chain_i$399 [75:57];
-  assign \write$403.addr  = \$70 ;
-  assign \write$403.data  = \$72 [519:448];
-  assign \control$405.en  = control3[0];
-  assign \control$405.first  = control3[1];
-  assign \control$405.last  = control3[2];
-  assign \control$405.edge  = control3[3];
-  assign \control$405.tile  = control3[7:4];
-  assign \chain_i$407[0]  = \chain_i$407 [18:0];
-  assign \chain_i$407[1]  = \chain_i$407 [37:19];
-  assign \chain_i$407[2]  = \chain_i$407 [56:38];
-  assign \chain_i$407[3]  = \chain_i$407 [75:57];
-  assign \chain_o$408[0]  = \chain_i$407 [18:0];
-  assign \chain_o$408[1]  = \chain_i$407 [37:19];
-  assign \chain_o$408[2]  = \chain_i$407 [56:38];
-  assign \chain_o$408[3]  = \chain_i$407 [75:57];
-  assign \write$411.addr  = \$70 ;
-  assign \write$411.data  = \$72 [519:448];
-  assign \control$413.en  = control3[0];
-  assign \control$413.first  = control3[1];
-  assign \control$413.last  = control3[2];
-  assign \control$413.edge  = control3[3];
-  assign \control$413.tile  = control3[7:4];
-  assign \chain_i$415[0]  = \chain_i$415 [18:0];
-  assign \chain_i$415[1]  = \chain_i$415 [37:19];
-  assign \chain_i$415[2]  = \chain_i$415 [56:38];
-  assign \chain_i$415[3]  = \chain_i$415 [75:57];
-  assign \chain_o$416[0]  = \chain_i$415 [18:0];
-  assign \chain_o$416[1]  = \chain_i$415 [37:19];
-  assign \chain_o$416[2]  = \chain_i$415 [56:38];
-  assign \chain_o$416[3]  = \chain_i$415 [75:57];
-  assign \write$419.addr  = \$70 ;
-  assign \write$419.data  = \$72 [519:448];
-  assign \control$421.en  = control3[0];
-  assign \control$421.first  = control3[1];
-  assign \control$421.last  = control3[2];
-  assign \control$421.edge  = control3[3];
-  assign \control$421.tile  = control3[7:4];
-  assign \chain_i$423[0]  = \chain_i$423 [18:0];
-  assign \chain_i$423[1]  = \chain_i$423 [37:19];
-  assign \chain_i$423[2]  = \chain_i$423 [56:38];
-  assign \chain_i$423[3]  = \chain_i$423 [75:57];
-  assign \chain_o$424[0]  = \chain_i$423 [18:0];
-  assign \chain_o$424[1]  = \chain_i$423 [37:19];
-  assign \chain_o$424[2]  = \chain_i$423 [56:38];
-  assign \chain_o$424[3]  = \chain_i$423 [75:57];
-  assign \write$427.addr  = \$70 ;
-  assign \write$427.data  = \$72 [519:448];
-  assign \control$429.en  = control3[0];
-  assign \control$429.first  = control3[1];
-  assign \control$429.last  = control3[2];
-  assign \control$429.edge  = control3[3];
-  assign \control$429.tile  = control3[7:4];
-  assign \chain_i$431[0]  = \chain_i$431 [18:0];
-  assign \chain_i$431[1]  = \chain_i$431 [37:19];
-  assign \chain_i$431[2]  = \chain_i$431 [56:38];
-  assign \chain_i$431[3]  = \chain_i$431 [75:57];
-  assign \chain_o$432[0]  = \chain_i$431 [18:0];
-  assign \chain_o$432[1]  = \chain_i$431 [37:19];
-  assign \chain_o$432[2]  = \chain_i$431 [56:38];
-  assign \chain_o$432[3]  = \chain_i$431 [75:57];
-  assign \write$435.addr  = \$70 ;
-  assign \write$435.data  = \$72 [519:448];
-  assign \control$437.en  = control3[0];
-  assign \control$437.first  = control3[1];
-  assign \control$437.last  = control3[2];
-  assign \control$437.edge  = control3[3];
-  assign \control$437.tile  = control3[7:4];
-  assign \chain_i$439[0]  = \chain_i$439 [18:0];
-  assign \chain_i$439[1]  = \chain_i$439 [37:19];
-  assign \chain_i$439[2]  = \chain_i$439 [56:38];
-  assign \chain_i$439[3]  = \chain_i$439 [75:57];
-  assign \chain_o$440[0]  = \chain_i$439 [18:0];
-  assign \chain_o$440[1]  = \chain_i$439 [37:19];
-  assign \chain_o$440[2]  = \chain_i$439 [56:38];
-  assign \chain_o$440[3]  = \chain_i$439 [75:57];
-  assign \write$443.addr  = \$70 ;
-  assign \write$443.data  = \$72 [519:448];
-  assign \control$445.en  = control3[0];
-  assign \control$445.first  = control3[1];
-  assign \control$445.last  = control3[2];
-  assign \control$445.edge  = control3[3];
-  assign \control$445.tile  = control3[7:4];
-  assign \chain_i$447[0]  = \chain_i$447 [18:0];
-  assign \chain_i$447[1]  = \chain_i$447 [37:19];
-  assign \chain_i$447[2]  = \chain_i$447 [56:38];
-  assign \chain_i$447[3]  = \chain_i$447 [75:57];
-  assign \chain_o$448[0]  = \chain_i$447 [18:0];
-  assign \chain_o$448[1]  = \chain_i$447 [37:19];
-  assign \chain_o$448[2]  = \chain_i$447 [56:38];
-  assign \chain_o$448[3]  = \chain_i$447 [75:57];
-  assign \write$451.addr  = \$70 ;
-  assign \write$451.data  = \$72 [519:448];
-  assign \control$453.en  = control3[0];
-  assign \control$453.first  = control3[1];
-  assign \control$453.last  = control3[2];
-  assign \control$453.edge  = control3[3];
-  assign \control$453.tile  = control3[7:4];
-  assign \chain_i$455[0]  = \chain_i$455 [18:0];
-  assign \chain_i$455[1]  = \chain_i$455 [37:19];
-  assign \chain_i$455[2]  = \chain_i$455 [56:38];
-  assign \chain_i$455[3]  = \chain_i$455 [75:57];
-  assign \chain_o$456[0]  = \chain_i$455 [18:0];
-  assign \chain_o$456[1]  = \chain_i$455 [37:19];
-  assign \chain_o$456[2]  = \chain_i$455 [56:38];
-  assign \chain_o$456[3]  = \chain_i$455 [75:57];
-  assign \write$459.addr  = \$70 ;
-  assign \write$459.data  = \$72 [519:448];
-  assign \control$461.en  = control3[0];
-  assign \control$461.first  = control3[1];
-  assign \control$461.last  = control3[2];
-  assign \control$461.edge  = control3[3];
-  assign \control$461.tile  = control3[7:4];
-  assign \chain_i$463[0]  = \chain_i$463 [18:0];
-  assign \chain_i$463[1]  = \chain_i$463 [37:19];
-  assign \chain_i$463[2]  = \chain_i$463 [56:38];
-  assign \chain_i$463[3]  = \chain_i$463 [75:57];
-  assign \chain_o$464[0]  = \chain_i$463 [18:0];
-  assign \chain_o$464[1]  = \chain_i$463 [37:19];
-  assign \chain_o$464[2]  = \chain_i$463 [56:38];
-  assign \chain_o$464[3]  = \chain_i$463 [75:57];
-  assign \write$467.addr  = \$70 ;
-  assign \write$467.data  = \$72 [519:448];
-  assign \control$469.en  = control3[0];
-  assign \control$469.first  = control3[1];
-  assign \control$469.last  = control3[2];
-  assign \control$469.edge  = control3[3];
-  assign \control$469.tile  = control3[7:4];
-  assign \chain_i$471[0]  = \chain_i$471 [18:0];
-  assign \chain_i$471[1]  = \chain_i$471 [37:19];
-  assign \chain_i$471[2]  = \chain_i$471 [56:38];
-  assign \chain_i$471[3]  = \chain_i$471 [75:57];
-  assign \chain_o$472[0]  = \chain_i$471 [18:0];
-  assign \chain_o$472[1]  = \chain_i$471 [37:19];
-  assign \chain_o$472[2]  = \chain_i$471 [56:38];
-  assign \chain_o$472[3]  = \chain_i$471 [75:57];
-  assign \write$475.addr  = \$70 ;
-  assign \write$475.data  = \$72 [519:448];
-  assign \control$477.en  = control3[0];
-  assign \control$477.first  = control3[1];
-  assign \control$477.last  = control3[2];
-  assign \control$477.edge  = control3[3];
-  assign \control$477.tile  = control3[7:4];
-  assign \chain_i$479[0]  = \chain_i$479 [18:0];
-  assign \chain_i$479[1]  = \chain_i$479 [37:19];
-  assign \chain_i$479[2]  = \chain_i$479 [56:38];
-  assign \chain_i$479[3]  = \chain_i$479 [75:57];
-  assign \chain_o$480[0]  = \chain_i$479 [18:0];
-  assign \chain_o$480[1]  = \chain_i$479 [37:19];
-  assign \chain_o$480[2]  = \chain_i$479 [56:38];
-  assign \chain_o$480[3]  = \chain_i$479 [75:57];
-  assign \write$483.addr  = \$70 ;
-  assign \write$483.data  = \$72 [519:448];
-  assign \control$485.en  = control3[0];
-  assign \control$485.first  = control3[1];
-  assign \control$485.last  = control3[2];
-  assign \control$485.edge  = control3[3];
-  assign \control$485.tile  = control3[7:4];
-  assign \chain_i$487[0]  = \chain_i$487 [18:0];
-  assign \chain_i$487[1]  = \chain_i$487 [37:19];
-  assign \chain_i$487[2]  = \chain_i$487 [56:38];
-  assign \chain_i$487[3]  = \chain_i$487 [75:57];
-  assign \chain_o$488[0]  = \chain_i$487 [18:0];
-  assign \chain_o$488[1]  = \chain_i$487 [37:19];
-  assign \chain_o$488[2]  = \chain_i$487 [56:38];
-  assign \chain_o$488[3]  = \chain_i$487 [75:57];
-  assign \write$491.addr  = \$70 ;
-  assign \write$491.data  = \$72 [519:448];
-  assign \control$493.en  = control3[0];
-  assign \control$493.first  = control3[1];
-  assign \control$493.last  = control3[2];
-  assign \control$493.edge  = control3[3];
-  assign \control$493.tile  = control3[7:4];
-  assign \chain_i$495[0]  = \chain_i$495 [18:0];
-  assign \chain_i$495[1]  = \chain_i$495 [37:19];
-  assign \chain_i$495[2]  = \chain_i$495 [56:38];
-  assign \chain_i$495[3]  = \chain_i$495 [75:57];
-  assign \chain_o$496[0]  = \chain_i$495 [18:0];
-  assign \chain_o$496[1]  = \chain_i$495 [37:19];
-  assign \chain_o$496[2]  = \chain_i$495 [56:38];
-  assign \chain_o$496[3]  = \chain_i$495 [75:57];
-  assign \write$499.addr  = \$70 ;
-  assign \write$499.data  = \$72 [519:448];
-  assign \control$501.en  = control3[0];
-  assign \control$501.first  = control3[1];
-  assign \control$501.last  = control3[2];
-  assign \control$501.edge  = control3[3];
-  assign \control$501.tile  = control3[7:4];
-  assign \chain_i$503[0]  = \chain_i$503 [18:0];
-  assign \chain_i$503[1]  = \chain_i$503 [37:19];
-  assign \chain_i$503[2]  = \chain_i$503 [56:38];
-  assign \chain_i$503[3]  = \chain_i$503 [75:57];
-  assign \chain_o$504[0]  = \chain_i$503 [18:0];
-  assign \chain_o$504[1]  = \chain_i$503 [37:19];
-  assign \chain_o$504[2]  = \chain_i$503 [56:38];
-  assign \chain_o$504[3]  = \chain_i$503 [75:57];
-  assign \write$507.addr  = \$70 ;
-  assign \write$507.data  = \$72 [519:448];
-  assign \control$509.en  = control3[0];
-  assign \control$509.first  = control3[1];
-  assign \control$509.last  = control3[2];
-  assign \control$509.edge  = control3[3];
-  assign \control$509.tile  = control3[7:4];
-  assign \chain_i$511[0]  = \chain_i$511 [18:0];
-  assign \chain_i$511[1]  = \chain_i$511 [37:19];
-  assign \chain_i$511[2]  = \chain_i$511 [56:38];
-  assign \chain_i$511[3]  = \chain_i$511 [75:57];
-  assign \chain_o$512[0]  = \chain_i$511 [18:0];
-  assign \chain_o$512[1]  = \chain_i$511 [37:19];
-  assign \chain_o$512[2]  = \chain_i$511 [56:38];
-  assign \chain_o$512[3]  = \chain_i$511 [75:57];
-  assign \write$515.addr  = \$70 ;
-  assign \write$515.data  = \$72 [519:448];
-  assign \control$517.en  = control3[0];
-  assign \control$517.first  = control3[1];
-  assign \control$517.last  = control3[2];
-  assign \control$517.edge  = control3[3];
-  assign \control$517.tile  = control3[7:4];
-  assign \chain_i$519[0]  = \chain_i$519 [18:0];
-  assign \chain_i$519[1]  = \chain_i$519 [37:19];
-  assign \chain_i$519[2]  = \chain_i$519 [56:38];
-  assign \chain_i$519[3]  = \chain_i$519 [75:57];
-  assign \chain_o$520[0]  = \chain_i$519 [18:0];
-  assign \chain_o$520[1]  = \chain_i$519 [37:19];
-  assign \chain_o$520[2]  = \chain_i$519 [56:38];
-  assign \chain_o$520[3]  = \chain_i$519 [75:57];
-  assign \write$523.addr  = \$70 ;
-  assign \write$523.data  = \$72 [519:448];
-  assign \control$525.en  = control3[0];
-  assign \control$525.first  = control3[1];
-  assign \control$525.last  = control3[2];
-  assign \control$525.edge  = control3[3];
-  assign \control$525.tile  = control3[7:4];
-  assign \chain_i$527[0]  = \chain_i$527 [18:0];
-  assign \chain_i$527[1]  = \chain_i$527 [37:19];
-  assign \chain_i$527[2]  = \chain_i$527 [56:38];
-  assign \chain_i$527[3]  = \chain_i$527 [75:57];
-  assign \chain_o$528[0]  = \chain_i$527 [18:0];
-  assign \chain_o$528[1]  = \chain_i$527 [37:19];
-  assign \chain_o$528[2]  = \chain_i$527 [56:38];
-  assign \chain_o$528[3]  = \chain_i$527 [75:57];
-  assign \write$531.addr  = \$70 ;
-  assign \write$531.data  = \$72 [519:448];
-  assign \control$533.en  = control3[0];
-  assign \control$533.first  = control3[1];
-  assign \control$533.last  = control3[2];
-  assign \control$533.edge  = control3[3];
-  assign \control$533.tile  = control3[7:4];
-  assign \chain_i$535[0]  = \chain_i$535 [18:0];
-  assign \chain_i$535[1]  = \chain_i$535 [37:19];
-  assign \chain_i$535[2]  = \chain_i$535 [56:38];
-  assign \chain_i$535[3]  = \chain_i$535 [75:57];
-  assign \chain_o$536[0]  = \chain_i$535 [18:0];
-  assign \chain_o$536[1]  = \chain_i$535 [37:19];
-  assign \chain_o$536[2]  = \chain_i$535 [56:38];
-  assign \chain_o$536[3]  = \chain_i$535 [75:57];
-  assign \write$539.addr  = \$70 ;
-  assign \write$539.data  = \$72 [519:448];
-  assign \control$541.en  = control3[0];
-  assign \control$541.first  = control3[1];
-  assign \control$541.last  = control3[2];
-  assign \control$541.edge  = control3[3];
-  assign \control$541.tile  = control3[7:4];
-  assign \chain_i$543[0]  = \chain_i$543 [18:0];
-  assign \chain_i$543[1]  = \chain_i$543 [37:19];
-  assign \chain_i$543[2]  = \chain_i$543 [56:38];
-  assign \chain_i$543[3]  = \chain_i$543 [75:57];
-  assign \chain_o$544[0]  = \chain_i$543 [18:0];
-  assign \chain_o$544[1]  = \chain_i$543 [37:19];
-  assign \chain_o$544[2]  = \chain_i$543 [56:38];
-  assign \chain_o$544[3]  = \chain_i$543 [75:57];
-  assign \write$547.addr  = \$70 ;
-  assign \write$547.data  = \$72 [519:448];
-  assign \control$549.en  = control3[0];
-  assign \control$549.first  = control3[1];
-  assign \control$549.last  = control3[2];
-  assign \control$549.edge  = control3[3];
-  assign \control$549.tile  = control3[7:4];
-  assign \chain_i$551[0]  = \chain_i$551 [18:0];
-  assign \chain_i$551[1]  = \chain_i$551 [37:19];
-  assign \chain_i$551[2]  = \chain_i$551 [56:38];
-  assign \chain_i$551[3]  = \chain_i$551 [75:57];
-  assign \chain_o$552[0]  = \chain_i$551 [18:0];
-  assign \chain_o$552[1]  = \chain_i$551 [37:19];
-  assign \chain_o$552[2]  = \chain_i$551 [56:38];
-  assign \chain_o$552[3]  = \chain_i$551 [75:57];
-  assign \write$555.addr  = \$70 ;
-  assign \write$555.data  = \$72 [519:448];
-  assign \control$557.en  = control3[0];
-  assign \control$557.first  = control3[1];
-  assign \control$557.last  = control3[2];
-  assign \control$557.edge  = control3[3];
-  assign \control$557.tile  = control3[7:4];
-  assign \chain_i$559[0]  = \chain_i$559 [18:0];
-  assign \chain_i$559[1]  = \chain_i$559 [37:19];
-  assign \chain_i$559[2]  = \chain_i$559 [56:38];
-  assign \chain_i$559[3]  = \chain_i$559 [75:57];
-  assign \chain_o$560[0]  = \chain_i$559 [18:0];
-  assign \chain_o$560[1]  = \chain_i$559 [37:19];
-  assign \chain_o$560[2]  = \chain_i$559 [56:38];
-  assign \chain_o$560[3]  = \chain_i$559 [75:57];
-  assign \write$563.addr  = \$70 ;
-  assign \write$563.data  = \$72 [519:448];
-  assign \control$565.en  = control3[0];
-  assign \control$565.first  = control3[1];
-  assign \control$565.last  = control3[2];
-  assign \control$565.edge  = control3[3];
-  assign \control$565.tile  = control3[7:4];
-  assign \chain_i$567[0]  = \chain_i$567 [18:0];
-  assign \chain_i$567[1]  = \chain_i$567 [37:19];
-  assign \chain_i$567[2]  = \chain_i$567 [56:38];
-  assign \chain_i$567[3]  = \chain_i$567 [75:57];
-  assign \chain_o$568[0]  = \chain_i$567 [18:0];
-  assign \chain_o$568[1]  = \chain_i$567 [37:19];
-  assign \chain_o$568[2]  = \chain_i$567 [56:38];
-  assign \chain_o$568[3]  = \chain_i$567 [75:57];
-  assign \write$571.addr  = \$70 ;
-  assign \write$571.data  = \$72 [519:448];
-  assign \control$573.en  = control3[0];
-  assign \control$573.first  = control3[1];
-  assign \control$573.last  = control3[2];
-  assign \control$573.edge  = control3[3];
-  assign \control$573.tile  = control3[7:4];
-  assign \chain_i$575[0]  = \chain_i$575 [18:0];
-  assign \chain_i$575[1]  = \chain_i$575 [37:19];
-  assign \chain_i$575[2]  = \chain_i$575 [56:38];
-  assign \chain_i$575[3]  = \chain_i$575 [75:57];
-  assign \chain_o$576[0]  = \chain_i$575 [18:0];
-  assign \chain_o$576[1]  = \chain_i$575 [37:19];
-  assign \chain_o$576[2]  = \chain_i$575 [56:38];
-  assign \chain_o$576[3]  = \chain_i$575 [75:57];
-  assign \write$579.addr  = \$70 ;
-  assign \write$579.data  = \$72 [519:448];
-  assign \control$581.en  = control3[0];
-  assign \control$581.first  = control3[1];
-  assign \control$581.last  = control3[2];
-  assign \control$581.edge  = control3[3];
-  assign \control$581.tile  = control3[7:4];
-  assign \write$585.addr  = \$70 ;
-  assign \write$585.data  = \$72 [519:448];
+  assign \chain_o$123[0]  = chain_i[18:0];
+  assign \chain_o$123[1]  = chain_i[37:19];
+  assign \chain_o$123[2]  = chain_i[56:38];
+  assign \chain_o$123[3]  = chain_i[75:57];
+  assign \write$126.addr  = \$66 ;
+  assign \write$126.data  = \$68 [647:576];
+  assign \control$128.en  = control3[0];
+  assign \control$128.first  = control3[1];
+  assign \control$128.last  = control3[2];
+  assign \control$128.edge  = control3[3];
+  assign \control$128.tile  = control3[7:4];
+  assign \chain_o$130[0]  = \chain_o$130 [18:0];
+  assign \chain_o$130[1]  = \chain_o$130 [37:19];
+  assign \chain_o$130[2]  = \chain_o$130 [56:38];
+  assign \chain_o$130[3]  = \chain_o$130 [75:57];
+  assign \chain_i$131[0]  = \chain_i$131 [18:0];
+  assign \chain_i$131[1]  = \chain_i$131 [37:19];
+  assign \chain_i$131[2]  = \chain_i$131 [56:38];
+  assign \chain_i$131[3]  = \chain_i$131 [75:57];
+  assign \chain_o$132[0]  = \chain_i$131 [18:0];
+  assign \chain_o$132[1]  = \chain_i$131 [37:19];
+  assign \chain_o$132[2]  = \chain_i$131 [56:38];
+  assign \chain_o$132[3]  = \chain_i$131 [75:57];
+  assign \write$135.addr  = \$66 ;
+  assign \write$135.data  = \$68 [647:576];
+  assign \control$137.en  = control3[0];
+  assign \control$137.first  = control3[1];
+  assign \control$137.last  = control3[2];
+  assign \control$137.edge  = control3[3];
+  assign \control$137.tile  = control3[7:4];
+  assign \chain_o$139[0]  = \chain_o$139 [18:0];
+  assign \chain_o$139[1]  = \chain_o$139 [37:19];
+  assign \chain_o$139[2]  = \chain_o$139 [56:38];
+  assign \chain_o$139[3]  = \chain_o$139 [75:57];
+  assign \chain_i$140[0]  = \chain_i$140 [18:0];
+  assign \chain_i$140[1]  = \chain_i$140 [37:19];
+  assign \chain_i$140[2]  = \chain_i$140 [56:38];
+  assign \chain_i$140[3]  = \chain_i$140 [75:57];
+  assign \chain_o$141[0]  = \chain_i$140 [18:0];
+  assign \chain_o$141[1]  = \chain_i$140 [37:19];
+  assign \chain_o$141[2]  = \chain_i$140 [56:38];
+  assign \chain_o$141[3]  = \chain_i$140 [75:57];
+  assign \write$144.addr  = \$66 ;
+  assign \write$144.data  = \$68 [647:576];
+  assign \control$146.en  = control3[0];
+  assign \control$146.first  = control3[1];
+  assign \control$146.last  = control3[2];
+  assign \control$146.edge  = control3[3];
+  assign \control$146.tile  = control3[7:4];
+  assign \chain_o$148[0]  = \chain_o$148 [18:0];
+  assign \chain_o$148[1]  = \chain_o$148 [37:19];
+  assign \chain_o$148[2]  = \chain_o$148 [56:38];
+  assign \chain_o$148[3]  = \chain_o$148 [75:57];
+  assign \chain_i$149[0]  = \chain_i$149 [18:0];
+  assign \chain_i$149[1]  = \chain_i$149 [37:19];
+  assign \chain_i$149[2]  = \chain_i$149 [56:38];
+  assign \chain_i$149[3]  = \chain_i$149 [75:57];
+  assign \chain_o$150[0]  = \chain_i$149 [18:0];
+  assign \chain_o$150[1]  = \chain_i$149 [37:19];
+  assign \chain_o$150[2]  = \chain_i$149 [56:38];
+  assign \chain_o$150[3]  = \chain_i$149 [75:57];
+  assign \write$153.addr  = \$66 ;
+  assign \write$153.data  = \$68 [647:576];
+  assign \control$155.en  = control3[0];
+  assign \control$155.first  = control3[1];
+  assign \control$155.last  = control3[2];
+  assign \control$155.edge  = control3[3];
+  assign \control$155.tile  = control3[7:4];
+  assign \chain_i$157[0]  = \chain_i$157 [18:0];
+  assign \chain_i$157[1]  = \chain_i$157 [37:19];
+  assign \chain_i$157[2]  = \chain_i$157 [56:38];
+  assign \chain_i$157[3]  = \chain_i$157 [75:57];
+  assign \chain_o$158[0]  = \chain_i$157 [18:0];
+  assign \chain_o$158[1]  = \chain_i$157 [37:19];
+  assign \chain_o$158[2]  = \chain_i$157 [56:38];
+  assign \chain_o$158[3]  = \chain_i$157 [75:57];
+  assign \write$161.addr  = \$66 ;
+  assign \write$161.data  = \$68 [647:576];
+  assign \control$163.en  = control3[0];
+  assign \control$163.first  = control3[1];
+  assign \control$163.last  = control3[2];
+  assign \control$163.edge  = control3[3];
+  assign \control$163.tile  = control3[7:4];
+  assign \chain_i$165[0]  = \chain_i$165 [18:0];
+  assign \chain_i$165[1]  = \chain_i$165 [37:19];
+  assign \chain_i$165[2]  = \chain_i$165 [56:38];
+  assign \chain_i$165[3]  = \chain_i$165 [75:57];
+  assign \chain_o$166[0]  = \chain_i$165 [18:0];
+  assign \chain_o$166[1]  = \chain_i$165 [37:19];
+  assign \chain_o$166[2]  = \chain_i$165 [56:38];
+  assign \chain_o$166[3]  = \chain_i$165 [75:57];
+  assign \write$169.addr  = \$66 ;
+  assign \write$169.data  = \$68 [647:576];
+  assign \control$171.en  = control3[0];
+  assign \control$171.first  = control3[1];
+  assign \control$171.last  = control3[2];
+  assign \control$171.edge  = control3[3];
+  assign \control$171.tile  = control3[7:4];
+  assign \chain_i$173[0]  = \chain_i$173 [18:0];
+  assign \chain_i$173[1]  = \chain_i$173 [37:19];
+  assign \chain_i$173[2]  = \chain_i$173 [56:38];
+  assign \chain_i$173[3]  = \chain_i$173 [75:57];
+  assign \chain_o$174[0]  = \chain_i$173 [18:0];
+  assign \chain_o$174[1]  = \chain_i$173 [37:19];
+  assign \chain_o$174[2]  = \chain_i$173 [56:38];
+  assign \chain_o$174[3]  = \chain_i$173 [75:57];
+  assign \write$177.addr  = \$66 ;
+  assign \write$177.data  = \$68 [647:576];
+  assign \control$179.en  = control3[0];
+  assign \control$179.first  = control3[1];
+  assign \control$179.last  = control3[2];
+  assign \control$179.edge  = control3[3];
+  assign \control$179.tile  = control3[7:4];
+  assign \chain_i$181[0]  = \chain_i$181 [18:0];
+  assign \chain_i$181[1]  = \chain_i$181 [37:19];
+  assign \chain_i$181[2]  = \chain_i$181 [56:38];
+  assign \chain_i$181[3]  = \chain_i$181 [75:57];
+  assign \chain_o$182[0]  = \chain_i$181 [18:0];
+  assign \chain_o$182[1]  = \chain_i$181 [37:19];
+  assign \chain_o$182[2]  = \chain_i$181 [56:38];
+  assign \chain_o$182[3]  = \chain_i$181 [75:57];
+  assign \write$185.addr  = \$66 ;
+  assign \write$185.data  = \$68 [647:576];
+  assign \control$187.en  = control3[0];
+  assign \control$187.first  = control3[1];
+  assign \control$187.last  = control3[2];
+  assign \control$187.edge  = control3[3];
+  assign \control$187.tile  = control3[7:4];
+  assign \chain_i$189[0]  = \chain_i$189 [18:0];
+  assign \chain_i$189[1]  = \chain_i$189 [37:19];
+  assign \chain_i$189[2]  = \chain_i$189 [56:38];
+  assign \chain_i$189[3]  = \chain_i$189 [75:57];
+  assign \chain_o$190[0]  = \chain_i$189 [18:0];
+  assign \chain_o$190[1]  = \chain_i$189 [37:19];
+  assign \chain_o$190[2]  = \chain_i$189 [56:38];
+  assign \chain_o$190[3]  = \chain_i$189 [75:57];
+  assign \write$193.addr  = \$66 ;
+  assign \write$193.data  = \$68 [647:576];
+  assign \control$195.en  = control3[0];
+  assign \control$195.first  = control3[1];
+  assign \control$195.last  = control3[2];
+  assign \control$195.edge  = control3[3];
+  assign \control$195.tile  = control3[7:4];
+  assign \chain_i$197[0]  = \chain_i$197 [18:0];
+  assign \chain_i$197[1]  = \chain_i$197 [37:19];
+  assign \chain_i$197[2]  = \chain_i$197 [56:38];
+  assign \chain_i$197[3]  = \chain_i$197 [75:57];
+  assign \chain_o$198[0]  = \chain_i$197 [18:0];
+  assign \chain_o$198[1]  = \chain_i$197 [37:19];
+  assign \chain_o$198[2]  = \chain_i$197 [56:38];
+  assign \chain_o$198[3]  = \chain_i$197 [75:57];
+  assign \write$201.addr  = \$66 ;
+  assign \write$201.data  = \$68 [647:576];
+  assign \control$203.en  = control3[0];
+  assign \control$203.first  = control3[1];
+  assign \control$203.last  = control3[2];
+  assign \control$203.edge  = control3[3];
+  assign \control$203.tile  = control3[7:4];
+  assign \chain_i$205[0]  = \chain_i$205 [18:0];
+  assign \chain_i$205[1]  = \chain_i$205 [37:19];
+  assign \chain_i$205[2]  = \chain_i$205 [56:38];
+  assign \chain_i$205[3]  = \chain_i$205 [75:57];
+  assign \chain_o$206[0]  = \chain_i$205 [18:0];
+  assign \chain_o$206[1]  = \chain_i$205 [37:19];
+  assign \chain_o$206[2]  = \chain_i$205 [56:38];
+  assign \chain_o$206[3]  = \chain_i$205 [75:57];
+  assign \write$209.addr  = \$66 ;
+  assign \write$209.data  = \$68 [647:576];
+  assign \control$211.en  = control3[0];
+  assign \control$211.first  = control3[1];
+  assign \control$211.last  = control3[2];
+  assign \control$211.edge  = control3[3];
+  assign \control$211.tile  = control3[7:4];
+  assign \chain_i$213[0]  = \chain_i$213 [18:0];
+  assign \chain_i$213[1]  = \chain_i$213 [37:19];
+  assign \chain_i$213[2]  = \chain_i$213 [56:38];
+  assign \chain_i$213[3]  = \chain_i$213 [75:57];
+  assign \chain_o$214[0]  = \chain_i$213 [18:0];
+  assign \chain_o$214[1]  = \chain_i$213 [37:19];
+  assign \chain_o$214[2]  = \chain_i$213 [56:38];
+  assign \chain_o$214[3]  = \chain_i$213 [75:57];
+  assign \write$217.addr  = \$66 ;
+  assign \write$217.data  = \$68 [647:576];
+  assign \control$219.en  = control3[0];
+  assign \control$219.first  = control3[1];
+  assign \control$219.last  = control3[2];
+  assign \control$219.edge  = control3[3];
+  assign \control$219.tile  = control3[7:4];
+  assign \chain_i$221[0]  = \chain_i$221 [18:0];
+  assign \chain_i$221[1]  = \chain_i$221 [37:19];
+  assign \chain_i$221[2]  = \chain_i$221 [56:38];
+  assign \chain_i$221[3]  = \chain_i$221 [75:57];
+  assign \chain_o$222[0]  = \chain_i$221 [18:0];
+  assign \chain_o$222[1]  = \chain_i$221 [37:19];
+  assign \chain_o$222[2]  = \chain_i$221 [56:38];
+  assign \chain_o$222[3]  = \chain_i$221 [75:57];
+  assign \write$225.addr  = \$66 ;
+  assign \write$225.data  = \$68 [647:576];
+  assign \control$227.en  = control3[0];
+  assign \control$227.first  = control3[1];
+  assign \control$227.last  = control3[2];
+  assign \control$227.edge  = control3[3];
+  assign \control$227.tile  = control3[7:4];
+  assign \chain_i$229[0]  = \chain_i$229 [18:0];
+  assign \chain_i$229[1]  = \chain_i$229 [37:19];
+  assign \chain_i$229[2]  = \chain_i$229 [56:38];
+  assign \chain_i$229[3]  = \chain_i$229 [75:57];
+  assign \chain_o$230[0]  = \chain_i$229 [18:0];
+  assign \chain_o$230[1]  = \chain_i$229 [37:19];
+  assign \chain_o$230[2]  = \chain_i$229 [56:38];
+  assign \chain_o$230[3]  = \chain_i$229 [75:57];
+  assign \write$233.addr  = \$66 ;
+  assign \write$233.data  = \$68 [647:576];
+  assign \control$235.en  = control3[0];
+  assign \control$235.first  = control3[1];
+  assign \control$235.last  = control3[2];
+  assign \control$235.edge  = control3[3];
+  assign \control$235.tile  = control3[7:4];
+  assign \chain_i$237[0]  = \chain_i$237 [18:0];
+  assign \chain_i$237[1]  = \chain_i$237 [37:19];
+  assign \chain_i$237[2]  = \chain_i$237 [56:38];
+  assign \chain_i$237[3]  = \chain_i$237 [75:57];
+  assign \chain_o$238[0]  = \chain_i$237 [18:0];
+  assign \chain_o$238[1]  = \chain_i$237 [37:19];
+  assign \chain_o$238[2]  = \chain_i$237 [56:38];
+  assign \chain_o$238[3]  = \chain_i$237 [75:57];
+  assign \write$241.addr  = \$66 ;
+  assign \write$241.data  = \$68 [647:576];
+  assign \control$243.en  = control3[0];
+  assign \control$243.first  = control3[1];
+  assign \control$243.last  = control3[2];
+  assign \control$243.edge  = control3[3];
+  assign \control$243.tile  = control3[7:4];
+  assign \chain_i$245[0]  = \chain_i$245 [18:0];
+  assign \chain_i$245[1]  = \chain_i$245 [37:19];
+  assign \chain_i$245[2]  = \chain_i$245 [56:38];
+  assign \chain_i$245[3]  = \chain_i$245 [75:57];
+  assign \chain_o$246[0]  = \chain_i$245 [18:0];
+  assign \chain_o$246[1]  = \chain_i$245 [37:19];
+  assign \chain_o$246[2]  = \chain_i$245 [56:38];
+  assign \chain_o$246[3]  = \chain_i$245 [75:57];
+  assign \write$249.addr  = \$66 ;
+  assign \write$249.data  = \$68 [647:576];
+  assign \control$251.en  = control3[0];
+  assign \control$251.first  = control3[1];
+  assign \control$251.last  = control3[2];
+  assign \control$251.edge  = control3[3];
+  assign \control$251.tile  = control3[7:4];
+  assign \chain_i$253[0]  = \chain_i$253 [18:0];
+  assign \chain_i$253[1]  = \chain_i$253 [37:19];
+  assign \chain_i$253[2]  = \chain_i$253 [56:38];
+  assign \chain_i$253[3]  = \chain_i$253 [75:57];
+  assign \chain_o$254[0]  = \chain_i$253 [18:0];
+  assign \chain_o$254[1]  = \chain_i$253 [37:19];
+  assign \chain_o$254[2]  = \chain_i$253 [56:38];
+  assign \chain_o$254[3]  = \chain_i$253 [75:57];
+  assign \write$257.addr  = \$66 ;
+  assign \write$257.data  = \$68 [647:576];
+  assign \control$259.en  = control3[0];
+  assign \control$259.first  = control3[1];
+  assign \control$259.last  = control3[2];
+  assign \control$259.edge  = control3[3];
+  assign \control$259.tile  = control3[7:4];
+  assign \chain_i$261[0]  = \chain_i$261 [18:0];
+  assign \chain_i$261[1]  = \chain_i$261 [37:19];
+  assign \chain_i$261[2]  = \chain_i$261 [56:38];
+  assign \chain_i$261[3]  = \chain_i$261 [75:57];
+  assign \chain_o$262[0]  = \chain_i$261 [18:0];
+  assign \chain_o$262[1]  = \chain_i$261 [37:19];
+  assign \chain_o$262[2]  = \chain_i$261 [56:38];
+  assign \chain_o$262[3]  = \chain_i$261 [75:57];
+  assign \write$265.addr  = \$66 ;
+  assign \write$265.data  = \$68 [647:576];
+  assign \control$267.en  = control3[0];
+  assign \control$267.first  = control3[1];
+  assign \control$267.last  = control3[2];
+  assign \control$267.edge  = control3[3];
+  assign \control$267.tile  = control3[7:4];
+  assign \chain_i$269[0]  = \chain_i$269 [18:0];
+  assign \chain_i$269[1]  = \chain_i$269 [37:19];
+  assign \chain_i$269[2]  = \chain_i$269 [56:38];
+  assign \chain_i$269[3]  = \chain_i$269 [75:57];
+  assign \chain_o$270[0]  = \chain_i$269 [18:0];
+  assign \chain_o$270[1]  = \chain_i$269 [37:19];
+  assign \chain_o$270[2]  = \chain_i$269 [56:38];
+  assign \chain_o$270[3]  = \chain_i$269 [75:57];
+  assign \write$273.addr  = \$66 ;
+  assign \write$273.data  = \$68 [647:576];
+  assign \control$275.en  = control3[0];
+  assign \control$275.first  = control3[1];
+  assign \control$275.last  = control3[2];
+  assign \control$275.edge  = control3[3];
+  assign \control$275.tile  = control3[7:4];
+  assign \chain_i$277[0]  = \chain_i$277 [18:0];
+  assign \chain_i$277[1]  = \chain_i$277 [37:19];
+  assign \chain_i$277[2]  = \chain_i$277 [56:38];
+  assign \chain_i$277[3]  = \chain_i$277 [75:57];
+  assign \chain_o$278[0]  = \chain_i$277 [18:0];
+  assign \chain_o$278[1]  = \chain_i$277 [37:19];
+  assign \chain_o$278[2]  = \chain_i$277 [56:38];
+  assign \chain_o$278[3]  = \chain_i$277 [75:57];
+  assign \write$281.addr  = \$66 ;
+  assign \write$281.data  = \$68 [647:576];
+  assign \control$283.en  = control3[0];
+  assign \control$283.first  = control3[1];
+  assign \control$283.last  = control3[2];
+  assign \control$283.edge  = control3[3];
+  assign \control$283.tile  = control3[7:4];
+  assign \chain_i$285[0]  = \chain_i$285 [18:0];
+  assign \chain_i$285[1]  = \chain_i$285 [37:19];
+  assign \chain_i$285[2]  = \chain_i$285 [56:38];
+  assign \chain_i$285[3]  = \chain_i$285 [75:57];
+  assign \chain_o$286[0]  = \chain_i$285 [18:0];
+  assign \chain_o$286[1]  = \chain_i$285 [37:19];
+  assign \chain_o$286[2]  = \chain_i$285 [56:38];
+  assign \chain_o$286[3]  = \chain_i$285 [75:57];
+  assign \write$289.addr  = \$66 ;
+  assign \write$289.data  = \$68 [647:576];
+  assign \control$291.en  = control3[0];
+  assign \control$291.first  = control3[1];
+  assign \control$291.last  = control3[2];
+  assign \control$291.edge  = control3[3];
+  assign \control$291.tile  = control3[7:4];
+  assign \chain_i$293[0]  = \chain_i$293 [18:0];
+  assign \chain_i$293[1]  = \chain_i$293 [37:19];
+  assign \chain_i$293[2]  = \chain_i$293 [56:38];
+  assign \chain_i$293[3]  = \chain_i$293 [75:57];
+  assign \chain_o$294[0]  = \chain_i$293 [18:0];
+  assign \chain_o$294[1]  = \chain_i$293 [37:19];
+  assign \chain_o$294[2]  = \chain_i$293 [56:38];
+  assign \chain_o$294[3]  = \chain_i$293 [75:57];
+  assign \write$297.addr  = \$66 ;
+  assign \write$297.data  = \$68 [647:576];
+  assign \control$299.en  = control3[0];
+  assign \control$299.first  = control3[1];
+  assign \control$299.last  = control3[2];
+  assign \control$299.edge  = control3[3];
+  assign \control$299.tile  = control3[7:4];
+  assign \chain_i$301[0]  = \chain_i$301 [18:0];
+  assign \chain_i$301[1]  = \chain_i$301 [37:19];
+  assign \chain_i$301[2]  = \chain_i$301 [56:38];
+  assign \chain_i$301[3]  = \chain_i$301 [75:57];
+  assign \chain_o$302[0]  = \chain_i$301 [18:0];
+  assign \chain_o$302[1]  = \chain_i$301 [37:19];
+  assign \chain_o$302[2]  = \chain_i$301 [56:38];
+  assign \chain_o$302[3]  = \chain_i$301 [75:57];
+  assign \write$305.addr  = \$66 ;
+  assign \write$305.data  = \$68 [647:576];
+  assign \control$307.en  = control3[0];
+  assign \control$307.first  = control3[1];
+  assign \control$307.last  = control3[2];
+  assign \control$307.edge  = control3[3];
+  assign \control$307.tile  = control3[7:4];
+  assign \chain_i$309[0]  = \chain_i$309 [18:0];
+  assign \chain_i$309[1]  = \chain_i$309 [37:19];
+  assign \chain_i$309[2]  = \chain_i$309 [56:38];
+  assign \chain_i$309[3]  = \chain_i$309 [75:57];
+  assign \chain_o$310[0]  = \chain_i$309 [18:0];
+  assign \chain_o$310[1]  = \chain_i$309 [37:19];
+  assign \chain_o$310[2]  = \chain_i$309 [56:38];
+  assign \chain_o$310[3]  = \chain_i$309 [75:57];
+  assign \write$313.addr  = \$66 ;
+  assign \write$313.data  = \$68 [647:576];
+  assign \control$315.en  = control3[0];
+  assign \control$315.first  = control3[1];
+  assign \control$315.last  = control3[2];
+  assign \control$315.edge  = control3[3];
+  assign \control$315.tile  = control3[7:4];
+  assign \chain_i$317[0]  = \chain_i$317 [18:0];
+  assign \chain_i$317[1]  = \chain_i$317 [37:19];
+  assign \chain_i$317[2]  = \chain_i$317 [56:38];
+  assign \chain_i$317[3]  = \chain_i$317 [75:57];
+  assign \chain_o$318[0]  = \chain_i$317 [18:0];
+  assign \chain_o$318[1]  = \chain_i$317 [37:19];
+  assign \chain_o$318[2]  = \chain_i$317 [56:38];
+  assign \chain_o$318[3]  = \chain_i$317 [75:57];
+  assign \write$321.addr  = \$66 ;
+  assign \write$321.data  = \$68 [647:576];
+  assign \control$323.en  = control3[0];
+  assign \control$323.first  = control3[1];
+  assign \control$323.last  = control3[2];
+  assign \control$323.edge  = control3[3];
+  assign \control$323.tile  = control3[7:4];
+  assign \chain_i$325[0]  = \chain_i$325 [18:0];
+  assign \chain_i$325[1]  = \chain_i$325 [37:19];
+  assign \chain_i$325[2]  = \chain_i$325 [56:38];
+  assign \chain_i$325[3]  = \chain_i$325 [75:57];
+  assign \chain_o$326[0]  = \chain_i$325 [18:0];
+  assign \chain_o$326[1]  = \chain_i$325 [37:19];
+  assign \chain_o$326[2]  = \chain_i$325 [56:38];
+  assign \chain_o$326[3]  = \chain_i$325 [75:57];
+  assign \write$329.addr  = \$66 ;
+  assign \write$329.data  = \$68 [647:576];
+  assign \control$331.en  = control3[0];
+  assign \control$331.first  = control3[1];
+  assign \control$331.last  = control3[2];
+  assign \control$331.edge  = control3[3];
+  assign \control$331.tile  = control3[7:4];
+  assign \chain_i$333[0]  = \chain_i$333 [18:0];
+  assign \chain_i$333[1]  = \chain_i$333 [37:19];
+  assign \chain_i$333[2]  = \chain_i$333 [56:38];
+  assign \chain_i$333[3]  = \chain_i$333 [75:57];
+  assign \chain_o$334[0]  = \chain_i$333 [18:0];
+  assign \chain_o$334[1]  = \chain_i$333 [37:19];
+  assign \chain_o$334[2]  = \chain_i$333 [56:38];
+  assign \chain_o$334[3]  = \chain_i$333 [75:57];
+  assign \write$337.addr  = \$66 ;
+  assign \write$337.data  = \$68 [647:576];
+  assign \control$339.en  = control3[0];
+  assign \control$339.first  = control3[1];
+  assign \control$339.last  = control3[2];
+  assign \control$339.edge  = control3[3];
+  assign \control$339.tile  = control3[7:4];
+  assign \chain_i$341[0]  = \chain_i$341 [18:0];
+  assign \chain_i$341[1]  = \chain_i$341 [37:19];
+  assign \chain_i$341[2]  = \chain_i$341 [56:38];
+  assign \chain_i$341[3]  = \chain_i$341 [75:57];
+  assign \chain_o$342[0]  = \chain_i$341 [18:0];
+  assign \chain_o$342[1]  = \chain_i$341 [37:19];
+  assign \chain_o$342[2]  = \chain_i$341 [56:38];
+  assign \chain_o$342[3]  = \chain_i$341 [75:57];
+  assign \write$345.addr  = \$66 ;
+  assign \write$345.data  = \$68 [647:576];
+  assign \control$347.en  = control3[0];
+  assign \control$347.first  = control3[1];
+  assign \control$347.last  = control3[2];
+  assign \control$347.edge  = control3[3];
+  assign \control$347.tile  = control3[7:4];
+  assign \chain_i$349[0]  = \chain_i$349 [18:0];
+  assign \chain_i$349[1]  = \chain_i$349 [37:19];
+  assign \chain_i$349[2]  = \chain_i$349 [56:38];
+  assign \chain_i$349[3]  = \chain_i$349 [75:57];
+  assign \chain_o$350[0]  = \chain_i$349 [18:0];
+  assign \chain_o$350[1]  = \chain_i$349 [37:19];
+  assign \chain_o$350[2]  = \chain_i$349 [56:38];
+  assign \chain_o$350[3]  = \chain_i$349 [75:57];
+  assign \write$353.addr  = \$66 ;
+  assign \write$353.data  = \$68 [647:576];
+  assign \control$355.en  = control3[0];
+  assign \control$355.first  = control3[1];
+  assign \control$355.last  = control3[2];
+  assign \control$355.edge  = control3[3];
+  assign \control$355.tile  = control3[7:4];
+  assign \chain_i$357[0]  = \chain_i$357 [18:0];
+  assign \chain_i$357[1]  = \chain_i$357 [37:19];
+  assign \chain_i$357[2]  = \chain_i$357 [56:38];
+  assign \chain_i$357[3]  = \chain_i$357 [75:57];
+  assign \chain_o$358[0]  = \chain_i$357 [18:0];
+  assign \chain_o$358[1]  = \chain_i$357 [37:19];
+  assign \chain_o$358[2]  = \chain_i$357 [56:38];
+  assign \chain_o$358[3]  = \chain_i$357 [75:57];
+  assign \write$361.addr  = \$66 ;
+  assign \write$361.data  = \$68 [647:576];
+  assign \control$363.en  = control3[0];
+  assign \control$363.first  = control3[1];
+  assign \control$363.last  = control3[2];
+  assign \control$363.edge  = control3[3];
+  assign \control$363.tile  = control3[7:4];
+  assign \chain_i$365[0]  = \chain_i$365 [18:0];
+  assign \chain_i$365[1]  = \chain_i$365 [37:19];
+  assign \chain_i$365[2]  = \chain_i$365 [56:38];
+  assign \chain_i$365[3]  = \chain_i$365 [75:57];
+  assign \chain_o$366[0]  = \chain_i$365 [18:0];
+  assign \chain_o$366[1]  = \chain_i$365 [37:19];
+  assign \chain_o$366[2]  = \chain_i$365 [56:38];
+  assign \chain_o$366[3]  = \chain_i$365 [75:57];
+  assign \write$369.addr  = \$66 ;
+  assign \write$369.data  = \$68 [647:576];
+  assign \control$371.en  = control3[0];
+  assign \control$371.first  = control3[1];
+  assign \control$371.last  = control3[2];
+  assign \control$371.edge  = control3[3];
+  assign \control$371.tile  = control3[7:4];
+  assign \chain_i$373[0]  = \chain_i$373 [18:0];
+  assign \chain_i$373[1]  = \chain_i$373 [37:19];
+  assign \chain_i$373[2]  = \chain_i$373 [56:38];
+  assign \chain_i$373[3]  = \chain_i$373 [75:57];
+  assign \chain_o$374[0]  = \chain_i$373 [18:0];
+  assign \chain_o$374[1]  = \chain_i$373 [37:19];
+  assign \chain_o$374[2]  = \chain_i$373 [56:38];
+  assign \chain_o$374[3]  = \chain_i$373 [75:57];
+  assign \write$377.addr  = \$66 ;
+  assign \write$377.data  = \$68 [647:576];
+  assign \control$379.en  = control3[0];
+  assign \control$379.first  = control3[1];
+  assign \control$379.last  = control3[2];
+  assign \control$379.edge  = control3[3];
+  assign \control$379.tile  = control3[7:4];
+  assign \chain_i$381[0]  = \chain_i$381 [18:0];
+  assign \chain_i$381[1]  = \chain_i$381 [37:19];
+  assign \chain_i$381[2]  = \chain_i$381 [56:38];
+  assign \chain_i$381[3]  = \chain_i$381 [75:57];
+  assign \chain_o$382[0]  = \chain_i$381 [18:0];
+  assign \chain_o$382[1]  = \chain_i$381 [37:19];
+  assign \chain_o$382[2]  = \chain_i$381 [56:38];
+  assign \chain_o$382[3]  = \chain_i$381 [75:57];
+  assign \write$385.addr  = \$66 ;
+  assign \write$385.data  = \$68 [647:576];
+  assign \control$387.en  = control3[0];
+  assign \control$387.first  = control3[1];
+  assign \control$387.last  = control3[2];
+  assign \control$387.edge  = control3[3];
+  assign \control$387.tile  = control3[7:4];
+  assign \chain_i$389[0]  = \chain_i$389 [18:0];
+  assign \chain_i$389[1]  = \chain_i$389 [37:19];
+  assign \chain_i$389[2]  = \chain_i$389 [56:38];
+  assign \chain_i$389[3]  = \chain_i$389 [75:57];
+  assign \chain_o$390[0]  = \chain_i$389 [18:0];
+  assign \chain_o$390[1]  = \chain_i$389 [37:19];
+  assign \chain_o$390[2]  = \chain_i$389 [56:38];
+  assign \chain_o$390[3]  = \chain_i$389 [75:57];
+  assign \write$393.addr  = \$66 ;
+  assign \write$393.data  = \$68 [647:576];
+  assign \control$395.en  = control3[0];
+  assign \control$395.first  = control3[1];
+  assign \control$395.last  = control3[2];
+  assign \control$395.edge  = control3[3];
+  assign \control$395.tile  = control3[7:4];
+  assign \chain_i$397[0]  = \chain_i$397 [18:0];
+  assign \chain_i$397[1]  = \chain_i$397 [37:19];
+  assign \chain_i$397[2]  = \chain_i$397 [56:38];
+  assign \chain_i$397[3]  = \chain_i$397 [75:57];
+  assign \chain_o$398[0]  = \chain_i$397 [18:0];
+  assign \chain_o$398[1]  = \chain_i$397 [37:19];
+  assign \chain_o$398[2]  = \chain_i$397 [56:38];
+  assign \chain_o$398[3]  = \chain_i$397 [75:57];
+  assign \write$401.addr  = \$66 ;
+  assign \write$401.data  = \$68 [647:576];
+  assign \control$403.en  = control3[0];
+  assign \control$403.first  = control3[1];
+  assign \control$403.last  = control3[2];
+  assign \control$403.edge  = control3[3];
+  assign \control$403.tile  = control3[7:4];
+  assign \chain_i$405[0]  = \chain_i$405 [18:0];
+  assign \chain_i$405[1]  = \chain_i$405 [37:19];
+  assign \chain_i$405[2]  = \chain_i$405 [56:38];
+  assign \chain_i$405[3]  = \chain_i$405 [75:57];
+  assign \chain_o$406[0]  = \chain_i$405 [18:0];
+  assign \chain_o$406[1]  = \chain_i$405 [37:19];
+  assign \chain_o$406[2]  = \chain_i$405 [56:38];
+  assign \chain_o$406[3]  = \chain_i$405 [75:57];
+  assign \write$409.addr  = \$66 ;
+  assign \write$409.data  = \$68 [647:576];
+  assign \control$411.en  = control3[0];
+  assign \control$411.first  = control3[1];
+  assign \control$411.last  = control3[2];
+  assign \control$411.edge  = control3[3];
+  assign \control$411.tile  = control3[7:4];
+  assign \chain_i$413[0]  = \chain_i$413 [18:0];
+  assign \chain_i$413[1]  = \chain_i$413 [37:19];
+  assign \chain_i$413[2]  = \chain_i$413 [56:38];
+  assign \chain_i$413[3]  = \chain_i$413 [75:57];
+  assign \chain_o$414[0]  = \chain_i$413 [18:0];
+  assign \chain_o$414[1]  = \chain_i$413 [37:19];
+  assign \chain_o$414[2]  = \chain_i$413 [56:38];
+  assign \chain_o$414[3]  = \chain_i$413 [75:57];
+  assign \write$417.addr  = \$66 ;
+  assign \write$417.data  = \$68 [647:576];
+  assign \control$419.en  = control3[0];
+  assign \control$419.first  = control3[1];
+  assign \control$419.last  = control3[2];
+  assign \control$419.edge  = control3[3];
+  assign \control$419.tile  = control3[7:4];
+  assign \chain_i$421[0]  = \chain_i$421 [18:0];
+  assign \chain_i$421[1]  = \chain_i$421 [37:19];
+  assign \chain_i$421[2]  = \chain_i$421 [56:38];
+  assign \chain_i$421[3]  = \chain_i$421 [75:57];
+  assign \chain_o$422[0]  = \chain_i$421 [18:0];
+  assign \chain_o$422[1]  = \chain_i$421 [37:19];
+  assign \chain_o$422[2]  = \chain_i$421 [56:38];
+  assign \chain_o$422[3]  = \chain_i$421 [75:57];
+  assign \write$425.addr  = \$66 ;
+  assign \write$425.data  = \$68 [647:576];
+  assign \control$427.en  = control3[0];
+  assign \control$427.first  = control3[1];
+  assign \control$427.last  = control3[2];
+  assign \control$427.edge  = control3[3];
+  assign \control$427.tile  = control3[7:4];
+  assign \chain_i$429[0]  = \chain_i$429 [18:0];
+  assign \chain_i$429[1]  = \chain_i$429 [37:19];
+  assign \chain_i$429[2]  = \chain_i$429 [56:38];
+  assign \chain_i$429[3]  = \chain_i$429 [75:57];
+  assign \chain_o$430[0]  = \chain_i$429 [18:0];
+  assign \chain_o$430[1]  = \chain_i$429 [37:19];
+  assign \chain_o$430[2]  = \chain_i$429 [56:38];
+  assign \chain_o$430[3]  = \chain_i$429 [75:57];
+  assign \write$433.addr  = \$66 ;
+  assign \write$433.data  = \$68 [647:576];
+  assign \control$435.en  = control3[0];
+  assign \control$435.first  = control3[1];
+  assign \control$435.last  = control3[2];
+  assign \control$435.edge  = control3[3];
+  assign \control$435.tile  = control3[7:4];
+  assign \chain_i$437[0]  = \chain_i$437 [18:0];
+  assign \chain_i$437[1]  = \chain_i$437 [37:19];
+  assign \chain_i$437[2]  = \chain_i$437 [56:38];
+  assign \chain_i$437[3]  = \chain_i$437 [75:57];
+  assign \chain_o$438[0]  = \chain_i$437 [18:0];
+  assign \chain_o$438[1]  = \chain_i$437 [37:19];
+  assign \chain_o$438[2]  = \chain_i$437 [56:38];
+  assign \chain_o$438[3]  = \chain_i$437 [75:57];
+  assign \write$441.addr  = \$66 ;
+  assign \write$441.data  = \$68 [647:576];
+  assign \control$443.en  = control3[0];
+  assign \control$443.first  = control3[1];
+  assign \control$443.last  = control3[2];
+  assign \control$443.edge  = control3[3];
+  assign \control$443.tile  = control3[7:4];
+  assign \chain_i$445[0]  = \chain_i$445 [18:0];
+  assign \chain_i$445[1]  = \chain_i$445 [37:19];
+  assign \chain_i$445[2]  = \chain_i$445 [56:38];
+  assign \chain_i$445[3]  = \chain_i$445 [75:57];
+  assign \chain_o$446[0]  = \chain_i$445 [18:0];
+  assign \chain_o$446[1]  = \chain_i$445 [37:19];
+  assign \chain_o$446[2]  = \chain_i$445 [56:38];
+  assign \chain_o$446[3]  = \chain_i$445 [75:57];
+  assign \write$449.addr  = \$66 ;
+  assign \write$449.data  = \$68 [647:576];
+  assign \control$451.en  = control3[0];
+  assign \control$451.first  = control3[1];
+  assign \control$451.last  = control3[2];
+  assign \control$451.edge  = control3[3];
+  assign \control$451.tile  = control3[7:4];
+  assign \chain_i$453[0]  = \chain_i$453 [18:0];
+  assign \chain_i$453[1]  = \chain_i$453 [37:19];
+  assign \chain_i$453[2]  = \chain_i$453 [56:38];
+  assign \chain_i$453[3]  = \chain_i$453 [75:57];
+  assign \chain_o$454[0]  = \chain_i$453 [18:0];
+  assign \chain_o$454[1]  = \chain_i$453 [37:19];
+  assign \chain_o$454[2]  = \chain_i$453 [56:38];
+  assign \chain_o$454[3]  = \chain_i$453 [75:57];
+  assign \write$457.addr  = \$66 ;
+  assign \write$457.data  = \$68 [647:576];
+  assign \control$459.en  = control3[0];
+  assign \control$459.first  = control3[1];
+  assign \control$459.last  = control3[2];
+  assign \control$459.edge  = control3[3];
+  assign \control$459.tile  = control3[7:4];
+  assign \chain_i$461[0]  = \chain_i$461 [18:0];
+  assign \chain_i$461[1]  = \chain_i$461 [37:19];
+  assign \chain_i$461[2]  = \chain_i$461 [56:38];
+  assign \chain_i$461[3]  = \chain_i$461 [75:57];
+  assign \chain_o$462[0]  = \chain_i$461 [18:0];
+  assign \chain_o$462[1]  = \chain_i$461 [37:19];
+  assign \chain_o$462[2]  = \chain_i$461 [56:38];
+  assign \chain_o$462[3]  = \chain_i$461 [75:57];
+  assign \write$465.addr  = \$66 ;
+  assign \write$465.data  = \$68 [647:576];
+  assign \control$467.en  = control3[0];
+  assign \control$467.first  = control3[1];
+  assign \control$467.last  = control3[2];
+  assign \control$467.edge  = control3[3];
+  assign \control$467.tile  = control3[7:4];
+  assign \chain_i$469[0]  = \chain_i$469 [18:0];
+  assign \chain_i$469[1]  = \chain_i$469 [37:19];
+  assign \chain_i$469[2]  = \chain_i$469 [56:38];
+  assign \chain_i$469[3]  = \chain_i$469 [75:57];
+  assign \chain_o$470[0]  = \chain_i$469 [18:0];
+  assign \chain_o$470[1]  = \chain_i$469 [37:19];
+  assign \chain_o$470[2]  = \chain_i$469 [56:38];
+  assign \chain_o$470[3]  = \chain_i$469 [75:57];
+  assign \write$473.addr  = \$66 ;
+  assign \write$473.data  = \$68 [647:576];
+  assign \control$475.en  = control3[0];
+  assign \control$475.first  = control3[1];
+  assign \control$475.last  = control3[2];
+  assign \control$475.edge  = control3[3];
+  assign \control$475.tile  = control3[7:4];
+  assign \chain_i$477[0]  = \chain_i$477 [18:0];
+  assign \chain_i$477[1]  = \chain_i$477 [37:19];
+  assign \chain_i$477[2]  = \chain_i$477 [56:38];
+  assign \chain_i$477[3]  = \chain_i$477 [75:57];
+  assign \chain_o$478[0]  = \chain_i$477 [18:0];
+  assign \chain_o$478[1]  = \chain_i$477 [37:19];
+  assign \chain_o$478[2]  = \chain_i$477 [56:38];
+  assign \chain_o$478[3]  = \chain_i$477 [75:57];
+  assign \write$481.addr  = \$66 ;
+  assign \write$481.data  = \$68 [647:576];
+  assign \control$483.en  = control3[0];
+  assign \control$483.first  = control3[1];
+  assign \control$483.last  = control3[2];
+  assign \control$483.edge  = control3[3];
+  assign \control$483.tile  = control3[7:4];
+  assign \chain_i$485[0]  = \chain_i$485 [18:0];
+  assign \chain_i$485[1]  = \chain_i$485 [37:19];
+  assign \chain_i$485[2]  = \chain_i$485 [56:38];
+  assign \chain_i$485[3]  = \chain_i$485 [75:57];
+  assign \chain_o$486[0]  = \chain_i$485 [18:0];
+  assign \chain_o$486[1]  = \chain_i$485 [37:19];
+  assign \chain_o$486[2]  = \chain_i$485 [56:38];
+  assign \chain_o$486[3]  = \chain_i$485 [75:57];
+  assign \write$489.addr  = \$66 ;
+  assign \write$489.data  = \$68 [647:576];
+  assign \control$491.en  = control3[0];
+  assign \control$491.first  = control3[1];
+  assign \control$491.last  = control3[2];
+  assign \control$491.edge  = control3[3];
+  assign \control$491.tile  = control3[7:4];
+  assign \chain_i$493[0]  = \chain_i$493 [18:0];
+  assign \chain_i$493[1]  = \chain_i$493 [37:19];
+  assign \chain_i$493[2]  = \chain_i$493 [56:38];
+  assign \chain_i$493[3]  = \chain_i$493 [75:57];
+  assign \chain_o$494[0]  = \chain_i$493 [18:0];
+  assign \chain_o$494[1]  = \chain_i$493 [37:19];
+  assign \chain_o$494[2]  = \chain_i$493 [56:38];
+  assign \chain_o$494[3]  = \chain_i$493 [75:57];
+  assign \write$497.addr  = \$66 ;
+  assign \write$497.data  = \$68 [647:576];
+  assign \control$499.en  = control3[0];
+  assign \control$499.first  = control3[1];
+  assign \control$499.last  = control3[2];
+  assign \control$499.edge  = control3[3];
+  assign \control$499.tile  = control3[7:4];
+  assign \chain_i$501[0]  = \chain_i$501 [18:0];
+  assign \chain_i$501[1]  = \chain_i$501 [37:19];
+  assign \chain_i$501[2]  = \chain_i$501 [56:38];
+  assign \chain_i$501[3]  = \chain_i$501 [75:57];
+  assign \chain_o$502[0]  = \chain_i$501 [18:0];
+  assign \chain_o$502[1]  = \chain_i$501 [37:19];
+  assign \chain_o$502[2]  = \chain_i$501 [56:38];
+  assign \chain_o$502[3]  = \chain_i$501 [75:57];
+  assign \write$505.addr  = \$66 ;
+  assign \write$505.data  = \$68 [647:576];
+  assign \control$507.en  = control3[0];
+  assign \control$507.first  = control3[1];
+  assign \control$507.last  = control3[2];
+  assign \control$507.edge  = control3[3];
+  assign \control$507.tile  = control3[7:4];
+  assign \chain_i$509[0]  = \chain_i$509 [18:0];
+  assign \chain_i$509[1]  = \chain_i$509 [37:19];
+  assign \chain_i$509[2]  = \chain_i$509 [56:38];
+  assign \chain_i$509[3]  = \chain_i$509 [75:57];
+  assign \chain_o$510[0]  = \chain_i$509 [18:0];
+  assign \chain_o$510[1]  = \chain_i$509 [37:19];
+  assign \chain_o$510[2]  = \chain_i$509 [56:38];
+  assign \chain_o$510[3]  = \chain_i$509 [75:57];
+  assign \write$513.addr  = \$66 ;
+  assign \write$513.data  = \$68 [647:576];
+  assign \control$515.en  = control3[0];
+  assign \control$515.first  = control3[1];
+  assign \control$515.last  = control3[2];
+  assign \control$515.edge  = control3[3];
+  assign \control$515.tile  = control3[7:4];
+  assign \chain_i$517[0]  = \chain_i$517 [18:0];
+  assign \chain_i$517[1]  = \chain_i$517 [37:19];
+  assign \chain_i$517[2]  = \chain_i$517 [56:38];
+  assign \chain_i$517[3]  = \chain_i$517 [75:57];
+  assign \chain_o$518[0]  = \chain_i$517 [18:0];
+  assign \chain_o$518[1]  = \chain_i$517 [37:19];
+  assign \chain_o$518[2]  = \chain_i$517 [56:38];
+  assign \chain_o$518[3]  = \chain_i$517 [75:57];
+  assign \write$521.addr  = \$66 ;
+  assign \write$521.data  = \$68 [647:576];
+  assign \control$523.en  = control3[0];
+  assign \control$523.first  = control3[1];
+  assign \control$523.last  = control3[2];
+  assign \control$523.edge  = control3[3];
+  assign \control$523.tile  = control3[7:4];
+  assign \chain_i$525[0]  = \chain_i$525 [18:0];
+  assign \chain_i$525[1]  = \chain_i$525 [37:19];
+  assign \chain_i$525[2]  = \chain_i$525 [56:38];
+  assign \chain_i$525[3]  = \chain_i$525 [75:57];
+  assign \chain_o$526[0]  = \chain_i$525 [18:0];
+  assign \chain_o$526[1]  = \chain_i$525 [37:19];
+  assign \chain_o$526[2]  = \chain_i$525 [56:38];
+  assign \chain_o$526[3]  = \chain_i$525 [75:57];
+  assign \write$529.addr  = \$66 ;
+  assign \write$529.data  = \$68 [647:576];
+  assign \control$531.en  = control3[0];
+  assign \control$531.first  = control3[1];
+  assign \control$531.last  = control3[2];
+  assign \control$531.edge  = control3[3];
+  assign \control$531.tile  = control3[7:4];
+  assign \chain_i$533[0]  = \chain_i$533 [18:0];
+  assign \chain_i$533[1]  = \chain_i$533 [37:19];
+  assign \chain_i$533[2]  = \chain_i$533 [56:38];
+  assign \chain_i$533[3]  = \chain_i$533 [75:57];
+  assign \chain_o$534[0]  = \chain_i$533 [18:0];
+  assign \chain_o$534[1]  = \chain_i$533 [37:19];
+  assign \chain_o$534[2]  = \chain_i$533 [56:38];
+  assign \chain_o$534[3]  = \chain_i$533 [75:57];
+  assign \write$537.addr  = \$66 ;
+  assign \write$537.data  = \$68 [647:576];
+  assign \control$539.en  = control3[0];
+  assign \control$539.first  = control3[1];
+  assign \control$539.last  = control3[2];
+  assign \control$539.edge  = control3[3];
+  assign \control$539.tile  = control3[7:4];
+  assign \chain_i$541[0]  = \chain_i$541 [18:0];
+  assign \chain_i$541[1]  = \chain_i$541 [37:19];
+  assign \chain_i$541[2]  = \chain_i$541 [56:38];
+  assign \chain_i$541[3]  = \chain_i$541 [75:57];
+  assign \chain_o$542[0]  = \chain_i$541 [18:0];
+  assign \chain_o$542[1]  = \chain_i$541 [37:19];
+  assign \chain_o$542[2]  = \chain_i$541 [56:38];
+  assign \chain_o$542[3]  = \chain_i$541 [75:57];
+  assign \write$545.addr  = \$66 ;
+  assign \write$545.data  = \$68 [647:576];
+  assign \control$547.en  = control3[0];
+  assign \control$547.first  = control3[1];
+  assign \control$547.last  = control3[2];
+  assign \control$547.edge  = control3[3];
+  assign \control$547.tile  = control3[7:4];
+  assign \chain_i$549[0]  = \chain_i$549 [18:0];
+  assign \chain_i$549[1]  = \chain_i$549 [37:19];
+  assign \chain_i$549[2]  = \chain_i$549 [56:38];
+  assign \chain_i$549[3]  = \chain_i$549 [75:57];
+  assign \chain_o$550[0]  = \chain_i$549 [18:0];
+  assign \chain_o$550[1]  = \chain_i$549 [37:19];
+  assign \chain_o$550[2]  = \chain_i$549 [56:38];
+  assign \chain_o$550[3]  = \chain_i$549 [75:57];
+  assign \write$553.addr  = \$66 ;
+  assign \write$553.data  = \$68 [647:576];
+  assign \control$555.en  = control3[0];
+  assign \control$555.first  = control3[1];
+  assign \control$555.last  = control3[2];
+  assign \control$555.edge  = control3[3];
+  assign \control$555.tile  = control3[7:4];
+  assign \chain_i$557[0]  = \chain_i$557 [18:0];
+  assign \chain_i$557[1]  = \chain_i$557 [37:19];
+  assign \chain_i$557[2]  = \chain_i$557 [56:38];
+  assign \chain_i$557[3]  = \chain_i$557 [75:57];
+  assign \chain_o$558[0]  = \chain_i$557 [18:0];
+  assign \chain_o$558[1]  = \chain_i$557 [37:19];
+  assign \chain_o$558[2]  = \chain_i$557 [56:38];
+  assign \chain_o$558[3]  = \chain_i$557 [75:57];
+  assign \write$561.addr  = \$66 ;
+  assign \write$561.data  = \$68 [647:576];
+  assign \control$563.en  = control3[0];
+  assign \control$563.first  = control3[1];
+  assign \control$563.last  = control3[2];
+  assign \control$563.edge  = control3[3];
+  assign \control$563.tile  = control3[7:4];
+  assign \chain_i$565[0]  = \chain_i$565 [18:0];
+  assign \chain_i$565[1]  = \chain_i$565 [37:19];
+  assign \chain_i$565[2]  = \chain_i$565 [56:38];
+  assign \chain_i$565[3]  = \chain_i$565 [75:57];
+  assign \chain_o$566[0]  = \chain_i$565 [18:0];
+  assign \chain_o$566[1]  = \chain_i$565 [37:19];
+  assign \chain_o$566[2]  = \chain_i$565 [56:38];
+  assign \chain_o$566[3]  = \chain_i$565 [75:57];
+  assign \write$569.addr  = \$66 ;
+  assign \write$569.data  = \$68 [647:576];
+  assign \control$571.en  = control3[0];
+  assign \control$571.first  = control3[1];
+  assign \control$571.last  = control3[2];
+  assign \control$571.edge  = control3[3];
+  assign \control$571.tile  = control3[7:4];
+  assign \chain_i$573[0]  = \chain_i$573 [18:0];
+  assign \chain_i$573[1]  = \chain_i$573 [37:19];
+  assign \chain_i$573[2]  = \chain_i$573 [56:38];
+  assign \chain_i$573[3]  = \chain_i$573 [75:57];
+  assign \chain_o$574[0]  = \chain_i$573 [18:0];
+  assign \chain_o$574[1]  = \chain_i$573 [37:19];
+  assign \chain_o$574[2]  = \chain_i$573 [56:38];
+  assign \chain_o$574[3]  = \chain_i$573 [75:57];
+  assign \write$577.addr  = \$66 ;
+  assign \write$577.data  = \$68 [647:576];
+  assign \control$579.en  = control3[0];
+  assign \control$579.first  = control3[1];
+  assign \control$579.last  = control3[2];
+  assign \control$579.edge  = control3[3];
+  assign \control$579.tile  = control3[7:4];
+  assign \chain_i$581[0]  = \chain_i$581 [18:0];
+  assign \chain_i$581[1]  = \chain_i$581 [37:19];
+  assign \chain_i$581[2]  = \chain_i$581 [56:38];
+  assign \chain_i$581[3]  = \chain_i$581 [75:57];
+  assign \chain_o$582[0]  = \chain_i$581 [18:0];
+  assign \chain_o$582[1]  = \chain_i$581 [37:19];
+  assign \chain_o$582[2]  = \chain_i$581 [56:38];
+  assign \chain_o$582[3]  = \chain_i$581 [75:57];
+  assign \write$585.addr  = \$66 ;
+  assign \write$585.data  = \$68 [647:576];
   assign \control$587.en  = control3[0];
   assign \control$587.first  = control3[1];
   assign \control$587.last  = control3[2];
   assign \control$587.edge  = control3[3];
   assign \control$587.tile  = control3[7:4];
-  assign \write$591.addr  = \$70 ;
-  assign \write$591.data  = \$72 [519:448];
-  assign \control$593.en  = control3[0];
-  assign \control$593.first  = control3[1];
-  assign \control$593.last  = control3[2];
-  assign \control$593.edge  = control3[3];
-  assign \control$593.tile  = control3[7:4];
-  assign \write$597.addr  = \$70 ;
-  assign \write$597.data  = \$72 [519:448];
-  assign \control$599.en  = control3[0];
-  assign \control$599.first  = control3[1];
-  assign \control$599.last  = control3[2];
-  assign \control$599.edge  = control3[3];
-  assign \control$599.tile  = control3[7:4];
+  assign \chain_i$589[0]  = \chain_i$589 [18:0];
+  assign \chain_i$589[1]  = \chain_i$589 [37:19];
+  assign \chain_i$589[2]  = \chain_i$589 [56:38];
+  assign \chain_i$589[3]  = \chain_i$589 [75:57];
+  assign \chain_o$590[0]  = \chain_i$589 [18:0];
+  assign \chain_o$590[1]  = \chain_i$589 [37:19];
+  assign \chain_o$590[2]  = \chain_i$589 [56:38];
+  assign \chain_o$590[3]  = \chain_i$589 [75:57];
+  assign \write$593.addr  = \$66 ;
+  assign \write$593.data  = \$68 [647:576];
+  assign \control$595.en  = control3[0];
+  assign \control$595.first  = control3[1];
+  assign \control$595.last  = control3[2];
+  assign \control$595.edge  = control3[3];
+  assign \control$595.tile  = control3[7:4];
+  assign \chain_i$597[0]  = \chain_i$597 [18:0];
+  assign \chain_i$597[1]  = \chain_i$597 [37:19];
+  assign \chain_i$597[2]  = \chain_i$597 [56:38];
+  assign \chain_i$597[3]  = \chain_i$597 [75:57];
+  assign \chain_o$598[0]  = \chain_i$597 [18:0];
+  assign \chain_o$598[1]  = \chain_i$597 [37:19];
+  assign \chain_o$598[2]  = \chain_i$597 [56:38];
+  assign \chain_o$598[3]  = \chain_i$597 [75:57];
+  assign \write$601.addr  = \$66 ;
+  assign \write$601.data  = \$68 [647:576];
+  assign \control$603.en  = control3[0];
+  assign \control$603.first  = control3[1];
+  assign \control$603.last  = control3[2];
+  assign \control$603.edge  = control3[3];
+  assign \control$603.tile  = control3[7:4];
+  assign \write$607.addr  = \$66 ;
+  assign \write$607.data  = \$68 [647:576];
+  assign \control$609.en  = control3[0];
+  assign \control$609.first  = control3[1];
+  assign \control$609.last  = control3[2];
+  assign \control$609.edge  = control3[3];
+  assign \control$609.tile  = control3[7:4];
+  assign \write$613.addr  = \$66 ;
+  assign \write$613.data  = \$68 [647:576];
+  assign \control$615.en  = control3[0];
+  assign \control$615.first  = control3[1];
+  assign \control$615.last  = control3[2];
+  assign \control$615.edge  = control3[3];
+  assign \control$615.tile  = control3[7:4];
+  assign \write$619.addr  = \$66 ;
+  assign \write$619.data  = \$68 [647:576];
+  assign \control$621.en  = control3[0];
+  assign \control$621.first  = control3[1];
+  assign \control$621.last  = control3[2];
+  assign \control$621.edge  = control3[3];
+  assign \control$621.tile  = control3[7:4];
   assign \control0.en  = control0[0];
   assign \control0.first  = control0[1];
   assign \control0.last  = control0[2];
@@ -5157,7 +5369,8 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \info0.tile  = info0[3:0];
   assign \info0.tile_last  = info0[4];
   assign \info0.slots  = info0[8:5];
-  assign \info0.image_last  = info0[9];
+  assign \info0.edge  = info0[9];
+  assign \info0.image_last  = info0[10];
   assign \control1.en  = control1[0];
   assign \control1.first  = control1[1];
   assign \control1.last  = control1[2];
@@ -5166,7 +5379,8 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \info1.tile  = info1[3:0];
   assign \info1.tile_last  = info1[4];
   assign \info1.slots  = info1[8:5];
-  assign \info1.image_last  = info1[9];
+  assign \info1.edge  = info1[9];
+  assign \info1.image_last  = info1[10];
   assign \control2.en  = control2[0];
   assign \control2.first  = control2[1];
   assign \control2.last  = control2[2];
@@ -5175,49 +5389,75 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \info2.tile  = info2[3:0];
   assign \info2.tile_last  = info2[4];
   assign \info2.slots  = info2[8:5];
-  assign \info2.image_last  = info2[9];
-  assign heads[303:228] = \chain_o$126 ;
-  assign heads[227:152] = \chain_o$117 ;
-  assign heads[151:76] = \chain_o$108 ;
+  assign \info2.edge  = info2[9];
+  assign \info2.image_last  = info2[10];
+  assign heads[303:228] = \chain_o$148 ;
+  assign heads[227:152] = \chain_o$139 ;
+  assign heads[151:76] = \chain_o$130 ;
   assign heads[75:0] = chain_o;
 endmodule
 
-module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, mode, shape, error, clk);
+module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, mode, weight_base, requant_base, shape, error, weight_end, requant_end, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$2  = 0;
   wire [32:0] \$1 ;
-  wire \$10 ;
-  wire \$11 ;
-  wire \$12 ;
-  wire [25:0] \$13 ;
-  wire \$14 ;
-  wire [28:0] \$15 ;
-  wire \$16 ;
-  wire [32:0] \$17 ;
-  wire [32:0] \$18 ;
-  wire [14:0] \$19 ;
+  wire [32:0] \$10 ;
+  wire [32:0] \$11 ;
+  wire [14:0] \$12 ;
+  wire [14:0] \$13 ;
+  wire [32:0] \$14 ;
+  wire [32:0] \$15 ;
+  wire [33:0] \$16 ;
+  wire [34:0] \$17 ;
+  wire [34:0] \$18 ;
+  wire [33:0] \$19 ;
   wire [32:0] \$2 ;
-  wire [14:0] \$20 ;
-  wire [32:0] \$21 ;
-  wire [32:0] \$22 ;
-  wire [33:0] \$23 ;
-  wire [34:0] \$24 ;
-  wire [34:0] \$25 ;
-  wire [33:0] \$26 ;
-  wire [34:0] \$27 ;
-  wire [34:0] \$28 ;
+  wire [34:0] \$20 ;
+  wire [34:0] \$21 ;
+  wire \$22 ;
+  wire [27:0] \$23 ;
+  wire [28:0] \$24 ;
+  wire \$25 ;
+  wire \$26 ;
+  wire \$27 ;
+  wire \$28 ;
   wire \$29 ;
-  wire [32:0] \$3 ;
+  wire [14:0] \$3 ;
   wire \$30 ;
-  reg [132:0] \$31 ;
-  reg [2:0] \$32 ;
-  wire [32:0] \$4 ;
-  wire \$5 ;
-  wire \$6 ;
-  wire \$7 ;
-  wire \$8 ;
-  wire \$9 ;
-  wire [9:0] bad_shape;
-  wire [13:0] blocks;
+  wire \$31 ;
+  wire \$32 ;
+  wire \$33 ;
+  wire [29:0] \$34 ;
+  wire \$35 ;
+  wire \$36 ;
+  wire \$37 ;
+  wire \$38 ;
+  wire [32:0] \$39 ;
+  wire [14:0] \$4 ;
+  wire \$40 ;
+  wire [16:0] \$41 ;
+  wire [32:0] \$42 ;
+  wire \$43 ;
+  wire \$44 ;
+  wire [32:0] \$45 ;
+  wire [16:0] \$46 ;
+  wire [32:0] \$47 ;
+  reg [166:0] \$48 ;
+  reg [28:0] \$49 ;
+  wire [32:0] \$5 ;
+  reg \$50 ;
+  reg \$51 ;
+  reg [2:0] \$52 ;
+  reg [10:0] \$53 ;
+  reg [8:0] \$54 ;
+  wire [32:0] \$6 ;
+  wire [31:0] \$7 ;
+  wire [31:0] \$8 ;
+  wire [31:0] \$9 ;
+  wire [13:0] \$signal ;
+  reg \$signal$16  = 1'h0;
+  wire [31:0] \$signal$7 ;
+  wire [25:0] \$signal$9 ;
+  reg bad_shape = 1'h0;
   input [31:0] c_in;
   wire [31:0] c_in;
   input [31:0] c_out;
@@ -5231,143 +5471,257 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   (* enum_value_011 = "TLAST_EARLY" *)
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
+  (* enum_value_110 = "BAD_RANGE" *)
   output [2:0] error;
   reg [2:0] error = 3'h0;
+  wire halved;
   input [31:0] height;
   wire [31:0] height;
+  wire [13:0] ingest_words;
+  reg known_mode;
   input [31:0] mode;
   wire [31:0] mode;
+  input [31:0] requant_base;
+  wire [31:0] requant_base;
+  output [8:0] requant_end;
+  reg [8:0] requant_end = 9'h000;
   input rst;
   wire rst;
-  output [132:0] shape;
-  reg [132:0] shape = 133'h0000000000000000000000000000000000;
+  output [166:0] shape;
+  reg [166:0] shape = 167'h000000000000000000000000000000000000000000;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire \shape.biased ;
   wire [13:0] \shape.blocks ;
+  wire [14:0] \shape.column_words ;
   wire [14:0] \shape.groups ;
+  wire \shape.halved ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
+  wire [15:0] \shape.out_height ;
   wire [11:0] \shape.output_words ;
+  wire \shape.pointwise ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
   input soft_reset;
   wire soft_reset;
   wire [11:0] tiles;
+  input [31:0] weight_base;
+  wire [31:0] weight_base;
+  output [10:0] weight_end;
+  reg [10:0] weight_end = 11'h000;
+  reg [28:0] weight_words = 29'h00000000;
   input [31:0] width;
   wire [31:0] width;
+  assign \$44  = \$40  | \$43 ;
+  assign \$45  = weight_base + weight_words;
+  assign \$46  = shape[119:108] * 5'h10;
+  assign \$47  = requant_base + \$46 ;
+  always @(posedge clk)
+    shape <= \$48 ;
+  always @(posedge clk)
+    weight_words <= \$49 ;
+  always @(posedge clk)
+    \$signal$16  <= \$50 ;
+  always @(posedge clk)
+    bad_shape <= \$51 ;
+  always @(posedge clk)
+    error <= \$52 ;
+  always @(posedge clk)
+    weight_end <= \$53 ;
+  always @(posedge clk)
+    requant_end <= \$54 ;
   assign \$1  = c_in + 3'h7;
-  assign \$3  = c_out + 6'h3f;
-  assign \$5  = ! height;
-  assign \$6  = ! width;
-  assign \$7  = ! c_in;
-  assign \$8  = ! c_out;
-  assign \$9  = height > 16'hffff;
-  assign \$10  = width > 16'hffff;
-  assign \$11  = c_in > 11'h400;
-  assign \$12  = c_out > 11'h400;
-  assign \$13  = shape[88:77] * shape[62:49];
-  assign \$14  = \$13  > 8'haa;
-  assign \$15  = shape[46:32] * shape[76:63];
-  assign \$16  = \$15  > 9'h100;
-  assign \$17  = width + 2'h3;
-  assign \$19  = \$2 [13:0] + 1'h1;
-  assign \$21  = c_out + 4'hf;
-  assign \$23  = c_in * 2'h3;
-  assign \$24  = \$23  + 6'h3f;
-  assign \$26  = c_out * 2'h3;
-  assign \$27  = \$26  + 6'h3f;
-  assign \$29  = mode != 17'h10103;
-  assign \$30  = | bad_shape;
-  always @(posedge clk)
-    shape <= \$31 ;
-  always @(posedge clk)
-    error <= \$32 ;
+  assign \$3  = \$2 [13:0] + 1'h1;
+  assign \$5  = c_out + 6'h3f;
+  assign \$7  = width[31:1] + width[0];
+  assign \$signal$7  = mode[9] ? \$7  : width;
+  assign \$signal$9  = shape[119:108] * shape[78:65];
+  assign \$8  = height[31:1] + height[0];
+  assign \$9  = mode[9] ? \$8  : height;
+  assign \$10  = \$signal$7  + 2'h3;
+  assign \$13  = mode[9] ? \$12  : { 1'h0, \$4 [13:0] };
+  assign \$14  = c_out + 4'hf;
+  assign \$16  = c_in * 2'h3;
+  assign \$17  = \$16  + 6'h3f;
+  assign \$19  = c_out * 2'h3;
+  assign \$20  = \$19  + 6'h3f;
+  assign \$22  = ~ mode[1];
+  assign \$23  = 2'h3 * \$signal$9 ;
+  assign \$24  = \$23  << shape[165];
+  assign \$25  = ~ known_mode;
+  assign \$26  = ! height;
+  assign \$27  = ! width;
+  assign \$28  = ! c_in;
+  assign \$29  = ! c_out;
+  assign \$30  = height > 16'hffff;
+  assign \$31  = width > 16'hffff;
+  assign \$32  = c_in > 11'h400;
+  assign \$33  = c_out > 11'h400;
+  assign \$34  = shape[62:48] * shape[107:93];
+  assign \$35  = \$34  > 9'h100;
+  assign \$36  = | { \$35 , \$33 , \$32 , \$31 , \$30 , \$29 , \$28 , \$27 , \$26  };
+  assign \$37  = weight_words > 11'h400;
+  assign \$38  = bad_shape | \$37 ;
+  assign \$39  = weight_base + weight_words;
+  assign \$40  = \$39  > 11'h400;
+  assign \$41  = shape[119:108] * 5'h10;
+  assign \$42  = requant_base + \$41 ;
+  assign \$43  = \$42  > 9'h100;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$31 [15:0] = height[15:0];
-    \$31 [31:16] = width[15:0];
-    \$31 [46:32] = \$18 [14:0];
-    \$31 [48:47] = width[1:0];
-    \$31 [62:49] = \$2 [13:0];
-    \$31 [76:63] = \$20 [13:0];
-    \$31 [88:77] = \$4 [11:0];
-    \$31 [100:89] = \$22 [11:0];
-    \$31 [116:101] = \$25 [15:0];
-    \$31 [132:117] = \$28 [15:0];
+    known_mode = 1'h0;
+    casez (mode)
+      32'd257, 32'd16777473, 32'd513, 32'd16777729, 32'd65795, 32'd16843011, 32'd66051, 32'd16843267:
+          known_mode = 1'h1;
+    endcase
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
+    \$48 [15:0] = height[15:0];
+    \$48 [31:16] = width[15:0];
+    \$48 [47:32] = \$9 [15:0];
+    \$48 [62:48] = \$11 [14:0];
+    \$48 [64:63] = \$signal$7 [1:0];
+    \$48 [78:65] = \$2 [13:0];
+    \$48 [92:79] = \$4 [13:0];
+    \$48 [107:93] = \$13 ;
+    \$48 [119:108] = \$6 [11:0];
+    \$48 [131:120] = \$15 [11:0];
+    \$48 [147:132] = \$18 [15:0];
+    \$48 [163:148] = \$21 [15:0];
+    \$48 [164] = \$22 ;
+    \$48 [165] = mode[9];
+    \$48 [166] = mode[24];
     if (soft_reset) begin
-      \$31  = 133'h0000000000000000000000000000000000;
+      \$48  = 167'h000000000000000000000000000000000000000000;
     end
     if (rst) begin
-      \$31  = 133'h0000000000000000000000000000000000;
+      \$48  = 167'h000000000000000000000000000000000000000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
     (* full_case = 32'd1 *)
-    if (\$29 ) begin
-      \$32  = 3'h2;
-    end else if (\$30 ) begin
-      \$32  = 3'h1;
+    if (shape[164]) begin
+      \$49  = { 3'h0, \$signal$9  };
     end else begin
-      \$32  = 3'h0;
+      \$49  = \$24 ;
     end
     if (soft_reset) begin
-      \$32  = 3'h0;
+      \$49  = 29'h00000000;
     end
     if (rst) begin
-      \$32  = 3'h0;
+      \$49  = 29'h00000000;
     end
   end
-  assign blocks = \$2 [13:0];
-  assign tiles = \$4 [11:0];
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
+    \$50  = \$25 ;
+    if (soft_reset) begin
+      \$50  = 1'h0;
+    end
+    if (rst) begin
+      \$50  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
+    \$51  = \$36 ;
+    if (soft_reset) begin
+      \$51  = 1'h0;
+    end
+    if (rst) begin
+      \$51  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
+    (* full_case = 32'd1 *)
+    if (\$signal$16 ) begin
+      \$52  = 3'h2;
+    end else if (\$38 ) begin
+      \$52  = 3'h1;
+    end else if (\$44 ) begin
+      \$52  = 3'h6;
+    end else begin
+      \$52  = 3'h0;
+    end
+    if (soft_reset) begin
+      \$52  = 3'h0;
+    end
+    if (rst) begin
+      \$52  = 3'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
+    \$53  = \$45 [10:0];
+    if (soft_reset) begin
+      \$53  = 11'h000;
+    end
+    if (rst) begin
+      \$53  = 11'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
+    \$54  = \$47 [8:0];
+    if (soft_reset) begin
+      \$54  = 9'h000;
+    end
+    if (rst) begin
+      \$54  = 9'h000;
+    end
+  end
+  assign \$signal  = \$2 [13:0];
+  assign ingest_words = \$4 [13:0];
+  assign tiles = \$6 [11:0];
+  assign halved = mode[9];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[46:32];
-  assign \shape.tail  = shape[48:47];
-  assign \shape.blocks  = shape[62:49];
-  assign \shape.ingest_words  = shape[76:63];
-  assign \shape.tiles  = shape[88:77];
-  assign \shape.output_words  = shape[100:89];
-  assign \shape.beats_in  = shape[116:101];
-  assign \shape.beats_out  = shape[132:117];
-  assign bad_shape[9] = \$16 ;
-  assign bad_shape[8] = \$14 ;
-  assign bad_shape[7] = \$12 ;
-  assign bad_shape[6] = \$11 ;
-  assign bad_shape[5] = \$10 ;
-  assign bad_shape[4] = \$9 ;
-  assign bad_shape[3] = \$8 ;
-  assign bad_shape[2] = \$7 ;
-  assign bad_shape[1] = \$6 ;
-  assign bad_shape[0] = \$5 ;
+  assign \shape.out_height  = shape[47:32];
+  assign \shape.groups  = shape[62:48];
+  assign \shape.tail  = shape[64:63];
+  assign \shape.blocks  = shape[78:65];
+  assign \shape.ingest_words  = shape[92:79];
+  assign \shape.column_words  = shape[107:93];
+  assign \shape.tiles  = shape[119:108];
+  assign \shape.output_words  = shape[131:120];
+  assign \shape.beats_in  = shape[147:132];
+  assign \shape.beats_out  = shape[163:148];
+  assign \shape.pointwise  = shape[164];
+  assign \shape.halved  = shape[165];
+  assign \shape.biased  = shape[166];
   assign \$2  = { 3'h0, \$1 [32:3] };
-  assign \$4  = { 6'h00, \$3 [32:6] };
-  assign \$18  = { 2'h0, \$17 [32:2] };
-  assign \$20  = { 1'h0, \$19 [14:1] };
-  assign \$22  = { 4'h0, \$21 [32:4] };
-  assign \$25  = { 6'h00, \$24 [34:6] };
-  assign \$28  = { 6'h00, \$27 [34:6] };
+  assign \$4  = { 1'h0, \$3 [14:1] };
+  assign \$6  = { 6'h00, \$5 [32:6] };
+  assign \$11  = { 2'h0, \$10 [32:2] };
+  assign \$12  = { \$4 [13:0], 1'h0 };
+  assign \$15  = { 4'h0, \$14 [32:4] };
+  assign \$18  = { 6'h00, \$17 [34:6] };
+  assign \$21  = { 6'h00, \$20 [34:6] };
 endmodule
 
-module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, soft_reset, \heads$59 , info, shape, o__payload, valid, reload__addr, reload__data, reload__en, clk);
+module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_reset, requant_base, start, \heads$60 , info, shape, o__payload, valid, reload__addr, reload__data, reload__en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$3  = 0;
   wire \$1 ;
-  reg [3:0] \$10 ;
-  wire [12:0] \$11 ;
-  wire \$12 ;
+  wire [3:0] \$10 ;
+  reg [3:0] \$11 ;
+  wire [12:0] \$12 ;
   wire \$13 ;
   wire \$14 ;
   wire \$15 ;
   wire \$16 ;
   wire \$17 ;
   wire \$18 ;
-  wire [4:0] \$19 ;
+  wire \$19 ;
   wire \$2 ;
   wire [4:0] \$20 ;
-  wire \$21 ;
-  wire [2:0] \$22 ;
-  wire \$23 ;
+  wire [4:0] \$21 ;
+  wire \$22 ;
+  wire [2:0] \$23 ;
   wire \$24 ;
   wire \$25 ;
   wire \$26 ;
@@ -5375,68 +5729,78 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   wire \$28 ;
   wire \$29 ;
   wire \$3 ;
-  wire [2:0] \$30 ;
-  wire [12:0] \$31 ;
-  wire [2:0] \$32 ;
-  reg \$33 ;
-  reg [9:0] \$34 ;
-  reg \$35 ;
-  reg [3:0] \$36 ;
-  reg [9:0] \$37 ;
-  reg [3:0] \$38 ;
-  reg [1:0] \$39 ;
+  wire \$30 ;
+  wire [2:0] \$31 ;
+  wire [12:0] \$32 ;
+  wire [2:0] \$33 ;
+  reg \$34 ;
+  reg [10:0] \$35 ;
+  reg \$36 ;
+  reg [3:0] \$37 ;
+  reg [10:0] \$38 ;
+  reg [3:0] \$39 ;
   wire \$4 ;
-  reg \$40 ;
+  reg [1:0] \$40 ;
   reg \$41 ;
   reg \$42 ;
   reg \$43 ;
   reg \$44 ;
   reg \$45 ;
   reg \$46 ;
-  reg [1:0] \$47 ;
-  reg [2:0] \$48 ;
-  reg [11:0] \$49 ;
+  reg \$47 ;
+  reg \$48 ;
+  reg \$49 ;
   wire \$5 ;
-  reg [1:0] \$50 ;
+  reg \$50 ;
   reg [1:0] \$51 ;
-  reg [3:0] \$52 ;
-  reg [3:0] \$53 ;
-  reg [3:0] \$54 ;
-  reg [3:0] \$55 ;
+  reg [2:0] \$52 ;
+  reg [11:0] \$53 ;
+  reg [1:0] \$54 ;
+  reg [1:0] \$55 ;
   reg [3:0] \$56 ;
   reg [3:0] \$57 ;
+  reg [3:0] \$58 ;
+  reg [3:0] \$59 ;
   wire \$6 ;
+  reg [3:0] \$60 ;
+  reg [3:0] \$61 ;
   wire \$7 ;
   wire \$8 ;
-  wire [3:0] \$9 ;
+  wire [8:0] \$9 ;
   wire \$signal ;
   (* init = 8'h00 *)
-  wire [7:0] \$signal$25 ;
-  reg \$signal$29  = 1'h0;
+  wire [7:0] \$signal$26 ;
   reg \$signal$3  = 1'h0;
-  reg [1:0] \$signal$30  = 2'h0;
-  reg [1:0] \$signal$32  = 2'h0;
-  reg [1:0] \$signal$37  = 2'h0;
+  reg \$signal$30  = 1'h0;
+  reg [1:0] \$signal$31  = 2'h0;
+  reg [1:0] \$signal$33  = 2'h0;
+  reg [1:0] \$signal$38  = 2'h0;
   reg \$signal$4  = 1'h0;
   reg [3:0] \$signal$5  = 4'h0;
-  reg [7:0] \$signal$60  = 8'h00;
-  reg [1:0] \$signal$61  = 2'h0;
-  reg \$signal$62  = 1'h0;
-  reg \$signal$63  = 1'h0;
-  reg [3:0] \$signal$64  = 4'h0;
+  reg [7:0] \$signal$62  = 8'h00;
+  reg [1:0] \$signal$63  = 2'h0;
+  reg \$signal$64  = 1'h0;
   reg \$signal$65  = 1'h0;
-  reg [7:0] \$signal$66  = 8'h00;
-  reg [1:0] \$signal$67  = 2'h0;
-  reg \$signal$68  = 1'h0;
-  reg \$signal$69  = 1'h0;
+  reg [3:0] \$signal$66  = 4'h0;
+  reg \$signal$67  = 1'h0;
+  reg [7:0] \$signal$68  = 8'h00;
+  reg [1:0] \$signal$69  = 2'h0;
   wire \$signal$7 ;
-  reg [3:0] \$signal$70  = 4'h0;
+  reg \$signal$70  = 1'h0;
   reg \$signal$71  = 1'h0;
-  reg \$signal$72  = 1'h0;
-  reg [3:0] \$signal$73  = 4'h0;
-  reg \$signal$74  = 1'h0;
+  reg [3:0] \$signal$72  = 4'h0;
+  reg \$signal$73  = 1'h0;
+  reg [7:0] \$signal$74  = 8'h00;
+  reg [1:0] \$signal$75  = 2'h0;
+  reg \$signal$76  = 1'h0;
+  reg \$signal$77  = 1'h0;
+  reg [3:0] \$signal$78  = 4'h0;
+  reg \$signal$79  = 1'h0;
+  reg \$signal$80  = 1'h0;
+  reg [3:0] \$signal$81  = 4'h0;
+  reg \$signal$82  = 1'h0;
   wire [7:0] \$signature__addr ;
-  wire [535:0] \$signature__data ;
+  wire [671:0] \$signature__data ;
   reg [303:0] accumulators = 304'h0000000000000000000000000000000000000000000000000000000000000000000000000000;
   wire [75:0] \accumulators[0] ;
   wire [18:0] \accumulators[0][0] ;
@@ -5464,11 +5828,13 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   wire [47:0] codes;
   output credit;
   wire credit;
-  reg [9:0] current = 10'h000;
+  reg [10:0] current = 11'h000;
+  wire \current.edge ;
   wire \current.image_last ;
   wire [3:0] \current.slots ;
   wire [3:0] \current.tile ;
   wire \current.tile_last ;
+  reg \edge  = 1'h0;
   wire fetch;
   reg [3:0] filled = 4'h0;
   input finished;
@@ -5479,28 +5845,28 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   wire group_start;
   (* init = 304'h0000000000000000000000000000000000000000000000000000000000000000000000000000 *)
   wire [303:0] heads;
-  input [303:0] \heads$59 ;
-  wire [303:0] \heads$59 ;
-  wire [75:0] \heads$59[0] ;
-  wire [18:0] \heads$59[0][0] ;
-  wire [18:0] \heads$59[0][1] ;
-  wire [18:0] \heads$59[0][2] ;
-  wire [18:0] \heads$59[0][3] ;
-  wire [75:0] \heads$59[1] ;
-  wire [18:0] \heads$59[1][0] ;
-  wire [18:0] \heads$59[1][1] ;
-  wire [18:0] \heads$59[1][2] ;
-  wire [18:0] \heads$59[1][3] ;
-  wire [75:0] \heads$59[2] ;
-  wire [18:0] \heads$59[2][0] ;
-  wire [18:0] \heads$59[2][1] ;
-  wire [18:0] \heads$59[2][2] ;
-  wire [18:0] \heads$59[2][3] ;
-  wire [75:0] \heads$59[3] ;
-  wire [18:0] \heads$59[3][0] ;
-  wire [18:0] \heads$59[3][1] ;
-  wire [18:0] \heads$59[3][2] ;
-  wire [18:0] \heads$59[3][3] ;
+  input [303:0] \heads$60 ;
+  wire [303:0] \heads$60 ;
+  wire [75:0] \heads$60[0] ;
+  wire [18:0] \heads$60[0][0] ;
+  wire [18:0] \heads$60[0][1] ;
+  wire [18:0] \heads$60[0][2] ;
+  wire [18:0] \heads$60[0][3] ;
+  wire [75:0] \heads$60[1] ;
+  wire [18:0] \heads$60[1][0] ;
+  wire [18:0] \heads$60[1][1] ;
+  wire [18:0] \heads$60[1][2] ;
+  wire [18:0] \heads$60[1][3] ;
+  wire [75:0] \heads$60[2] ;
+  wire [18:0] \heads$60[2][0] ;
+  wire [18:0] \heads$60[2][1] ;
+  wire [18:0] \heads$60[2][2] ;
+  wire [18:0] \heads$60[2][3] ;
+  wire [75:0] \heads$60[3] ;
+  wire [18:0] \heads$60[3][0] ;
+  wire [18:0] \heads$60[3][1] ;
+  wire [18:0] \heads$60[3][2] ;
+  wire [18:0] \heads$60[3][3] ;
   wire [75:0] \heads[0] ;
   wire [18:0] \heads[0][0] ;
   wire [18:0] \heads[0][1] ;
@@ -5523,13 +5889,15 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   wire [18:0] \heads[3][3] ;
   reg [3:0] image_last = 4'h0;
   reg [3:0] index = 4'h0;
-  input [9:0] info;
-  wire [9:0] info;
+  input [10:0] info;
+  wire [10:0] info;
+  wire \info.edge ;
   wire \info.image_last ;
   wire [3:0] \info.slots ;
   wire [3:0] \info.tile ;
   wire \info.tile_last ;
-  wire [9:0] info_now;
+  wire [10:0] info_now;
+  wire \info_now.edge ;
   wire \info_now.image_last ;
   wire [3:0] \info_now.slots ;
   wire [3:0] \info_now.tile ;
@@ -5548,30 +5916,37 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   wire o__ready;
   (* init = 1'h0 *)
   wire o__valid;
-  wire [535:0] parameters;
+  wire [671:0] parameters;
   wire pixel_after;
   reg [7:0] put__addr = 8'h00;
   wire [191:0] put__data;
   wire [3:0] put__en;
   input [7:0] reload__addr;
   wire [7:0] reload__addr;
-  input [535:0] reload__data;
-  wire [535:0] reload__data;
+  input [671:0] reload__data;
+  wire [671:0] reload__data;
   input reload__en;
   wire reload__en;
+  input [7:0] requant_base;
+  wire [7:0] requant_base;
   input rst;
   wire rst;
   reg [1:0] section = 2'h0;
   wire section_done;
-  input [132:0] shape;
-  wire [132:0] shape;
+  input [166:0] shape;
+  wire [166:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire \shape.biased ;
   wire [13:0] \shape.blocks ;
+  wire [14:0] \shape.column_words ;
   wire [14:0] \shape.groups ;
+  wire \shape.halved ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
+  wire [15:0] \shape.out_height ;
   wire [11:0] \shape.output_words ;
+  wire \shape.pointwise ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
@@ -5589,96 +5964,116 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   wire [3:0] todo;
   output valid;
   reg valid = 1'h0;
-  reg [9:0] waiting = 10'h000;
+  reg [10:0] waiting = 11'h000;
+  wire \waiting.edge ;
   wire \waiting.image_last ;
   wire [3:0] \waiting.slots ;
   wire [3:0] \waiting.tile ;
   wire \waiting.tile_last ;
   reg [11:0] word = 12'h000;
   wire word_last;
-  wire [543:0] write;
+  wire [679:0] write;
   wire [7:0] \write.addr ;
-  wire [535:0] \write.data ;
+  wire [671:0] \write.data ;
   wire write_en;
-  assign \$30  = \$signal$37  + 1'h1;
-  assign \$31  = word + 1'h1;
-  assign \$32  = \$signal$32  + 1'h1;
+  assign \$26  = image_last >> \$signal$33 ;
+  assign \$27  = ~ pixel_after;
+  assign \$28  = \$26  & \$27 ;
+  assign \$29  = ~ todo[0];
+  assign \$30  = \$29  | word_last;
+  assign \$31  = \$signal$38  + 1'h1;
+  assign \$32  = word + 1'h1;
+  assign \$33  = \$signal$33  + 1'h1;
   always @(posedge clk)
-    \$signal$3  <= \$33 ;
+    \$signal$3  <= \$34 ;
   always @(posedge clk)
-    waiting <= \$34 ;
+    waiting <= \$35 ;
   always @(posedge clk)
-    \$signal$4  <= \$35 ;
+    \$signal$4  <= \$36 ;
   always @(posedge clk)
-    index <= \$36 ;
+    index <= \$37 ;
   always @(posedge clk)
-    current <= \$37 ;
+    current <= \$38 ;
   always @(posedge clk)
-    \$signal$5  <= \$38 ;
+    \$signal$5  <= \$39 ;
   always @(posedge clk)
-    section <= \$39 ;
+    section <= \$40 ;
   always @(posedge clk)
-    accumulators <= \heads$59 ;
+    accumulators <= \heads$60 ;
   always @(posedge clk)
-    \$signal$60  <= { section, info_now[3:0], index[3:2] };
+    \edge  <= \$41 ;
   always @(posedge clk)
-    \$signal$61  <= index[1:0];
+    \$signal$62  <= { section, info_now[3:0], index[3:2] };
   always @(posedge clk)
-    \$signal$62  <= \$40 ;
+    \$signal$63  <= index[1:0];
   always @(posedge clk)
-    \$signal$63  <= \$41 ;
+    \$signal$64  <= \$42 ;
   always @(posedge clk)
-    \$signal$64  <= info_now[8:5];
+    \$signal$65  <= \$43 ;
   always @(posedge clk)
-    \$signal$65  <= info_now[9];
+    \$signal$66  <= info_now[8:5];
   always @(posedge clk)
-    \$signal$66  <= \$signal$60 ;
+    \$signal$67  <= info_now[10];
   always @(posedge clk)
-    \$signal$67  <= \$signal$61 ;
+    \$signal$68  <= \$signal$62 ;
   always @(posedge clk)
-    \$signal$68  <= \$42 ;
+    \$signal$69  <= \$signal$63 ;
   always @(posedge clk)
-    \$signal$69  <= \$43 ;
+    \$signal$70  <= \$44 ;
   always @(posedge clk)
-    \$signal$70  <= \$signal$64 ;
+    \$signal$71  <= \$45 ;
   always @(posedge clk)
-    \$signal$71  <= \$signal$65 ;
+    \$signal$72  <= \$signal$66 ;
   always @(posedge clk)
-    put__addr <= \$signal$66 ;
+    \$signal$73  <= \$signal$67 ;
   always @(posedge clk)
-    \$signal$30  <= \$signal$67 ;
+    \$signal$74  <= \$signal$68 ;
   always @(posedge clk)
-    \$signal$29  <= \$44 ;
+    \$signal$75  <= \$signal$69 ;
   always @(posedge clk)
-    \$signal$72  <= \$45 ;
+    \$signal$76  <= \$46 ;
   always @(posedge clk)
-    \$signal$73  <= \$signal$70 ;
+    \$signal$77  <= \$47 ;
   always @(posedge clk)
-    \$signal$74  <= \$signal$71 ;
+    \$signal$78  <= \$signal$72 ;
   always @(posedge clk)
-    valid <= \$46 ;
+    \$signal$79  <= \$signal$73 ;
   always @(posedge clk)
-    slot_read <= \$47 ;
+    put__addr <= \$signal$74 ;
   always @(posedge clk)
-    meta <= \$48 ;
+    \$signal$31  <= \$signal$75 ;
   always @(posedge clk)
-    word <= \$49 ;
+    \$signal$30  <= \$48 ;
   always @(posedge clk)
-    \$signal$37  <= \$50 ;
+    \$signal$80  <= \$49 ;
   always @(posedge clk)
-    \$signal$32  <= \$51 ;
+    \$signal$81  <= \$signal$78 ;
   always @(posedge clk)
-    filled <= \$52 ;
+    \$signal$82  <= \$signal$79 ;
   always @(posedge clk)
-    image_last <= \$53 ;
+    valid <= \$50 ;
   always @(posedge clk)
-    slots0 <= \$54 ;
+    slot_read <= \$51 ;
   always @(posedge clk)
-    slots1 <= \$55 ;
+    meta <= \$52 ;
   always @(posedge clk)
-    slots2 <= \$56 ;
+    word <= \$53 ;
   always @(posedge clk)
-    slots3 <= \$57 ;
+    \$signal$38  <= \$54 ;
+  always @(posedge clk)
+    \$signal$33  <= \$55 ;
+  always @(posedge clk)
+    filled <= \$56 ;
+  always @(posedge clk)
+    image_last <= \$57 ;
+  always @(posedge clk)
+    slots0 <= \$58 ;
+  always @(posedge clk)
+    slots1 <= \$59 ;
+  always @(posedge clk)
+    slots2 <= \$60 ;
+  always @(posedge clk)
+    slots3 <= \$61 ;
   assign group_start = ! waiting[3:0];
   assign \$1  = ~ \$signal$4 ;
   assign \$2  = \$signal$3  & \$1 ;
@@ -5693,33 +6088,29 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   assign last_cycle = \$signal$7  & \$7 ;
   assign \$8  = index == 4'h9;
   assign credit = \$signal$7  & \$8 ;
-  assign \$9  = 1'h1 << \$signal$30 ;
-  assign put__en = \$signal$29  ? \$9  : 4'h0;
-  assign todo = \$10  >> \$signal$37 ;
-  assign \$11  = word + 1'h1;
-  assign word_last = \$11  == shape[100:89];
+  assign \$9  = { info_now[3:0], index } + requant_base;
+  assign \$10  = 1'h1 << \$signal$31 ;
+  assign put__en = \$signal$30  ? \$10  : 4'h0;
+  assign todo = \$11  >> \$signal$38 ;
+  assign \$12  = word + 1'h1;
+  assign word_last = \$12  == shape[131:120];
   assign pixel_after = | todo[3:1];
-  assign \$12  = ~ valid;
-  assign advance = \$12  | o__ready;
-  assign \$13  = filled >> \$signal$32 ;
-  assign fetch = \$13  & advance;
-  assign \$14  = ~ todo[0];
-  assign \$15  = word_last | \$14 ;
-  assign \$16  = fetch & \$15 ;
-  assign \$17  = ~ pixel_after;
-  assign section_done = \$16  & \$17 ;
-  assign \$18  = ~ last_cycle;
-  assign \$19  = index + 1'h1;
-  assign \$20  = last_cycle ? 5'h00 : \$19 ;
-  assign \$21  = last_cycle & info_now[4];
-  assign \$22  = section + 1'h1;
-  assign \$23  = last_cycle & info_now[4];
-  assign \$24  = fetch & todo[0];
-  assign \$25  = image_last >> \$signal$32 ;
-  assign \$26  = ~ pixel_after;
-  assign \$27  = \$25  & \$26 ;
-  assign \$28  = ~ todo[0];
-  assign \$29  = \$28  | word_last;
+  assign \$13  = ~ valid;
+  assign advance = \$13  | o__ready;
+  assign \$14  = filled >> \$signal$33 ;
+  assign fetch = \$14  & advance;
+  assign \$15  = ~ todo[0];
+  assign \$16  = word_last | \$15 ;
+  assign \$17  = fetch & \$16 ;
+  assign \$18  = ~ pixel_after;
+  assign section_done = \$17  & \$18 ;
+  assign \$19  = ~ last_cycle;
+  assign \$20  = index + 1'h1;
+  assign \$21  = last_cycle ? 5'h00 : \$20 ;
+  assign \$22  = last_cycle & info_now[4];
+  assign \$23  = section + 1'h1;
+  assign \$24  = last_cycle & info_now[4];
+  assign \$25  = fetch & todo[0];
   macram_ram #(
     .ADDR_BITS(32'd8),
     .DEPTH(32'd256),
@@ -5728,7 +6119,7 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
     .WIDTH(32'd192)
   ) buffer (
     .clk(clk),
-    .read_addr({ \$signal$32 , word[5:0] }),
+    .read_addr({ \$signal$33 , word[5:0] }),
     .read_data(get__data),
     .read_en(advance),
     .write_addr(put__addr),
@@ -5740,10 +6131,10 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
     .DEPTH(32'd256),
     .INIT_FILE("requant.mem"),
     .LANES(32'd1),
-    .WIDTH(32'd536)
-  ) \parameters$78  (
+    .WIDTH(32'd672)
+  ) \parameters$86  (
     .clk(clk),
-    .read_addr({ info_now[3:0], index }),
+    .read_addr(\$9 [7:0]),
     .read_data(parameters),
     .read_en(1'h1),
     .write_addr(reload__addr),
@@ -5754,7 +6145,8 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
     .accumulators(accumulators),
     .clk(clk),
     .codes(codes),
-    .parameters(parameters),
+    .\edge (\edge ),
+    .\parameters$3 (parameters),
     .rst(rst),
     .soft_reset(soft_reset)
   );
@@ -5780,150 +6172,140 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$33  = \$signal$3 ;
+    \$34  = \$signal$3 ;
     if (finished) begin
-      \$33  = 1'h1;
+      \$34  = 1'h1;
     end else if (\$signal ) begin
-      \$33  = 1'h0;
+      \$34  = 1'h0;
     end
     if (start) begin
-      \$33  = 1'h0;
+      \$34  = 1'h0;
     end
     if (soft_reset) begin
-      \$33  = 1'h0;
+      \$34  = 1'h0;
     end
     if (rst) begin
-      \$33  = 1'h0;
+      \$34  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$34  = waiting;
+    \$35  = waiting;
     if (finished) begin
-      \$34  = info;
+      \$35  = info;
     end
     if (soft_reset) begin
-      \$34  = 10'h000;
+      \$35  = 11'h000;
     end
     if (rst) begin
-      \$34  = 10'h000;
+      \$35  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$35  = \$signal$4 ;
+    \$36  = \$signal$4 ;
     if (\$signal$7 ) begin
-      \$35  = \$18 ;
+      \$36  = \$19 ;
     end
     if (start) begin
-      \$35  = 1'h0;
+      \$36  = 1'h0;
     end
     if (soft_reset) begin
-      \$35  = 1'h0;
+      \$36  = 1'h0;
     end
     if (rst) begin
-      \$35  = 1'h0;
+      \$36  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$36  = index;
+    \$37  = index;
     if (\$signal$7 ) begin
-      \$36  = \$20 [3:0];
+      \$37  = \$21 [3:0];
     end
     if (start) begin
-      \$36  = 4'h0;
+      \$37  = 4'h0;
     end
     if (soft_reset) begin
-      \$36  = 4'h0;
+      \$37  = 4'h0;
     end
     if (rst) begin
-      \$36  = 4'h0;
+      \$37  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$37  = current;
+    \$38  = current;
     if (\$signal ) begin
-      \$37  = waiting;
+      \$38  = waiting;
     end
     if (soft_reset) begin
-      \$37  = 10'h000;
+      \$38  = 11'h000;
     end
     if (rst) begin
-      \$37  = 10'h000;
+      \$38  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$38  = \$signal$5 ;
+    \$39  = \$signal$5 ;
     if (\$signal ) begin
       if (group_start) begin
         (* full_case = 32'd1 *)
         casez (section)
           2'h0:
-              \$38 [0] = 1'h1;
+              \$39 [0] = 1'h1;
           2'h1:
-              \$38 [1] = 1'h1;
+              \$39 [1] = 1'h1;
           2'h2:
-              \$38 [2] = 1'h1;
+              \$39 [2] = 1'h1;
           2'h3:
-              \$38 [3] = 1'h1;
+              \$39 [3] = 1'h1;
         endcase
       end
     end
     if (section_done) begin
       (* full_case = 32'd1 *)
-      casez (\$signal$32 )
+      casez (\$signal$33 )
         2'h0:
-            \$38 [0] = 1'h0;
+            \$39 [0] = 1'h0;
         2'h1:
-            \$38 [1] = 1'h0;
+            \$39 [1] = 1'h0;
         2'h2:
-            \$38 [2] = 1'h0;
+            \$39 [2] = 1'h0;
         2'h3:
-            \$38 [3] = 1'h0;
+            \$39 [3] = 1'h0;
       endcase
     end
     if (start) begin
-      \$38  = 4'h0;
+      \$39  = 4'h0;
     end
     if (soft_reset) begin
-      \$38  = 4'h0;
+      \$39  = 4'h0;
     end
     if (rst) begin
-      \$38  = 4'h0;
+      \$39  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$39  = section;
-    if (\$21 ) begin
-      \$39  = \$22 [1:0];
+    \$40  = section;
+    if (\$22 ) begin
+      \$40  = \$23 [1:0];
     end
     if (start) begin
-      \$39  = 2'h0;
+      \$40  = 2'h0;
     end
     if (soft_reset) begin
-      \$39  = 2'h0;
+      \$40  = 2'h0;
     end
     if (rst) begin
-      \$39  = 2'h0;
+      \$40  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$40  = \$signal$7 ;
-    if (soft_reset) begin
-      \$40  = 1'h0;
-    end
-    if (rst) begin
-      \$40  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$41  = \$23 ;
+    \$41  = info_now[9];
     if (soft_reset) begin
       \$41  = 1'h0;
     end
@@ -5933,7 +6315,7 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$42  = \$signal$62 ;
+    \$42  = \$signal$7 ;
     if (soft_reset) begin
       \$42  = 1'h0;
     end
@@ -5943,7 +6325,7 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$43  = \$signal$63 ;
+    \$43  = \$24 ;
     if (soft_reset) begin
       \$43  = 1'h0;
     end
@@ -5953,7 +6335,7 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$44  = \$signal$68 ;
+    \$44  = \$signal$64 ;
     if (soft_reset) begin
       \$44  = 1'h0;
     end
@@ -5963,7 +6345,7 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$45  = \$signal$69 ;
+    \$45  = \$signal$65 ;
     if (soft_reset) begin
       \$45  = 1'h0;
     end
@@ -5973,216 +6355,179 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$46  = valid;
+    \$46  = \$signal$70 ;
+    if (soft_reset) begin
+      \$46  = 1'h0;
+    end
+    if (rst) begin
+      \$46  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$47  = \$signal$71 ;
+    if (soft_reset) begin
+      \$47  = 1'h0;
+    end
+    if (rst) begin
+      \$47  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$48  = \$signal$76 ;
+    if (soft_reset) begin
+      \$48  = 1'h0;
+    end
+    if (rst) begin
+      \$48  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$49  = \$signal$77 ;
+    if (soft_reset) begin
+      \$49  = 1'h0;
+    end
+    if (rst) begin
+      \$49  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$50  = valid;
     if (advance) begin
-      \$46  = \$24 ;
+      \$50  = \$25 ;
     end
     if (start) begin
-      \$46  = 1'h0;
+      \$50  = 1'h0;
     end
     if (soft_reset) begin
-      \$46  = 1'h0;
+      \$50  = 1'h0;
     end
     if (rst) begin
-      \$46  = 1'h0;
+      \$50  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$47  = slot_read;
+    \$51  = slot_read;
     if (advance) begin
-      \$47  = \$signal$37 ;
+      \$51  = \$signal$38 ;
     end
     if (soft_reset) begin
-      \$47  = 2'h0;
+      \$51  = 2'h0;
     end
     if (rst) begin
-      \$47  = 2'h0;
+      \$51  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$48  = meta;
+    \$52  = meta;
     if (advance) begin
-      \$48 [1] = word_last;
-      \$48 [2] = \$27 ;
+      \$52 [1] = word_last;
+      \$52 [2] = \$28 ;
     end
     if (soft_reset) begin
-      \$48 [2:1] = 2'h0;
+      \$52 [2:1] = 2'h0;
     end
     if (rst) begin
-      \$48  = 3'h0;
+      \$52  = 3'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$49  = word;
+    \$53  = word;
     if (fetch) begin
       (* full_case = 32'd1 *)
-      if (\$29 ) begin
-        \$49  = 12'h000;
+      if (\$30 ) begin
+        \$53  = 12'h000;
       end else begin
-        \$49  = \$31 [11:0];
+        \$53  = \$32 [11:0];
       end
     end
     if (section_done) begin
-      \$49  = 12'h000;
+      \$53  = 12'h000;
     end
     if (start) begin
-      \$49  = 12'h000;
+      \$53  = 12'h000;
     end
     if (soft_reset) begin
-      \$49  = 12'h000;
+      \$53  = 12'h000;
     end
     if (rst) begin
-      \$49  = 12'h000;
+      \$53  = 12'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$50  = \$signal$37 ;
+    \$54  = \$signal$38 ;
     if (fetch) begin
-      if (\$29 ) begin
-        \$50  = \$30 [1:0];
+      if (\$30 ) begin
+        \$54  = \$31 [1:0];
       end
     end
     if (section_done) begin
-      \$50  = 2'h0;
+      \$54  = 2'h0;
     end
     if (start) begin
-      \$50  = 2'h0;
+      \$54  = 2'h0;
     end
     if (soft_reset) begin
-      \$50  = 2'h0;
+      \$54  = 2'h0;
     end
     if (rst) begin
-      \$50  = 2'h0;
+      \$54  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$51  = \$signal$32 ;
+    \$55  = \$signal$33 ;
     if (section_done) begin
-      \$51  = \$32 [1:0];
+      \$55  = \$33 [1:0];
     end
     if (start) begin
-      \$51  = 2'h0;
+      \$55  = 2'h0;
     end
     if (soft_reset) begin
-      \$51  = 2'h0;
+      \$55  = 2'h0;
     end
     if (rst) begin
-      \$51  = 2'h0;
+      \$55  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$52  = filled;
+    \$56  = filled;
     if (section_done) begin
       (* full_case = 32'd1 *)
-      casez (\$signal$32 )
+      casez (\$signal$33 )
         2'h0:
-            \$52 [0] = 1'h0;
+            \$56 [0] = 1'h0;
         2'h1:
-            \$52 [1] = 1'h0;
+            \$56 [1] = 1'h0;
         2'h2:
-            \$52 [2] = 1'h0;
+            \$56 [2] = 1'h0;
         2'h3:
-            \$52 [3] = 1'h0;
+            \$56 [3] = 1'h0;
       endcase
     end
-    if (\$signal$72 ) begin
+    if (\$signal$80 ) begin
       (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
-            \$52 [0] = 1'h1;
+            \$56 [0] = 1'h1;
         2'h1:
-            \$52 [1] = 1'h1;
+            \$56 [1] = 1'h1;
         2'h2:
-            \$52 [2] = 1'h1;
+            \$56 [2] = 1'h1;
         2'h3:
-            \$52 [3] = 1'h1;
+            \$56 [3] = 1'h1;
       endcase
     end
     if (start) begin
-      \$52  = 4'h0;
-    end
-    if (soft_reset) begin
-      \$52  = 4'h0;
-    end
-    if (rst) begin
-      \$52  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$53  = image_last;
-    if (\$signal$72 ) begin
-      (* full_case = 32'd1 *)
-      casez (put__addr[7:6])
-        2'h0:
-            \$53 [0] = \$signal$74 ;
-        2'h1:
-            \$53 [1] = \$signal$74 ;
-        2'h2:
-            \$53 [2] = \$signal$74 ;
-        2'h3:
-            \$53 [3] = \$signal$74 ;
-      endcase
-    end
-    if (soft_reset) begin
-      \$53  = 4'h0;
-    end
-    if (rst) begin
-      \$53  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$54  = slots0;
-    if (\$signal$72 ) begin
-      casez (put__addr[7:6])
-        2'h0:
-            \$54  = \$signal$73 ;
-      endcase
-    end
-    if (soft_reset) begin
-      \$54  = 4'h0;
-    end
-    if (rst) begin
-      \$54  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$55  = slots1;
-    if (\$signal$72 ) begin
-      casez (put__addr[7:6])
-        2'h0:
-            /* empty */;
-        2'h1:
-            \$55  = \$signal$73 ;
-      endcase
-    end
-    if (soft_reset) begin
-      \$55  = 4'h0;
-    end
-    if (rst) begin
-      \$55  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$56  = slots2;
-    if (\$signal$72 ) begin
-      casez (put__addr[7:6])
-        2'h0:
-            /* empty */;
-        2'h1:
-            /* empty */;
-        2'h2:
-            \$56  = \$signal$73 ;
-      endcase
+      \$56  = 4'h0;
     end
     if (soft_reset) begin
       \$56  = 4'h0;
@@ -6193,8 +6538,85 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$57  = slots3;
-    if (\$signal$72 ) begin
+    \$57  = image_last;
+    if (\$signal$80 ) begin
+      (* full_case = 32'd1 *)
+      casez (put__addr[7:6])
+        2'h0:
+            \$57 [0] = \$signal$82 ;
+        2'h1:
+            \$57 [1] = \$signal$82 ;
+        2'h2:
+            \$57 [2] = \$signal$82 ;
+        2'h3:
+            \$57 [3] = \$signal$82 ;
+      endcase
+    end
+    if (soft_reset) begin
+      \$57  = 4'h0;
+    end
+    if (rst) begin
+      \$57  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$58  = slots0;
+    if (\$signal$80 ) begin
+      casez (put__addr[7:6])
+        2'h0:
+            \$58  = \$signal$81 ;
+      endcase
+    end
+    if (soft_reset) begin
+      \$58  = 4'h0;
+    end
+    if (rst) begin
+      \$58  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$59  = slots1;
+    if (\$signal$80 ) begin
+      casez (put__addr[7:6])
+        2'h0:
+            /* empty */;
+        2'h1:
+            \$59  = \$signal$81 ;
+      endcase
+    end
+    if (soft_reset) begin
+      \$59  = 4'h0;
+    end
+    if (rst) begin
+      \$59  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$60  = slots2;
+    if (\$signal$80 ) begin
+      casez (put__addr[7:6])
+        2'h0:
+            /* empty */;
+        2'h1:
+            /* empty */;
+        2'h2:
+            \$60  = \$signal$81 ;
+      endcase
+    end
+    if (soft_reset) begin
+      \$60  = 4'h0;
+    end
+    if (rst) begin
+      \$60  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$61  = slots3;
+    if (\$signal$80 ) begin
       (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
@@ -6204,53 +6626,56 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
         2'h2:
             /* empty */;
         2'h3:
-            \$57  = \$signal$73 ;
+            \$61  = \$signal$81 ;
       endcase
     end
     if (soft_reset) begin
-      \$57  = 4'h0;
+      \$61  = 4'h0;
     end
     if (rst) begin
-      \$57  = 4'h0;
+      \$61  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
     (* full_case = 32'd1 *)
-    casez (\$signal$32 )
+    casez (\$signal$33 )
       2'h0:
-          \$10  = slots0;
+          \$11  = slots0;
       2'h1:
-          \$10  = slots1;
+          \$11  = slots1;
       2'h2:
-          \$10  = slots2;
+          \$11  = slots2;
       2'h3:
-          \$10  = slots3;
+          \$11  = slots3;
     endcase
   end
   assign write = { reload__data, reload__addr };
   assign write_en = reload__en;
-  assign \$signature__addr  = { info_now[3:0], index };
+  assign \$signature__addr  = \$9 [7:0];
   assign \$signature__data  = parameters;
   assign heads = accumulators;
-  assign \$signal$25  = put__addr;
+  assign \$signal$26  = put__addr;
   assign put__data = { codes, codes, codes, codes };
-  assign get__addr = { \$signal$32 , word[5:0] };
+  assign get__addr = { \$signal$33 , word[5:0] };
   assign get__en = advance;
   assign o__valid = valid;
   assign shift = \$signal$7 ;
   assign \waiting.tile  = waiting[3:0];
   assign \waiting.tile_last  = waiting[4];
   assign \waiting.slots  = waiting[8:5];
-  assign \waiting.image_last  = waiting[9];
+  assign \waiting.edge  = waiting[9];
+  assign \waiting.image_last  = waiting[10];
   assign \info_now.tile  = info_now[3:0];
   assign \info_now.tile_last  = info_now[4];
   assign \info_now.slots  = info_now[8:5];
-  assign \info_now.image_last  = info_now[9];
+  assign \info_now.edge  = info_now[9];
+  assign \info_now.image_last  = info_now[10];
   assign \current.tile  = current[3:0];
   assign \current.tile_last  = current[4];
   assign \current.slots  = current[8:5];
-  assign \current.image_last  = current[9];
+  assign \current.edge  = current[9];
+  assign \current.image_last  = current[10];
   assign \write.addr  = reload__addr;
   assign \write.data  = reload__data;
   assign \accumulators[0]  = accumulators[75:0];
@@ -6295,14 +6720,19 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   assign \heads[3][3]  = accumulators[303:285];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[46:32];
-  assign \shape.tail  = shape[48:47];
-  assign \shape.blocks  = shape[62:49];
-  assign \shape.ingest_words  = shape[76:63];
-  assign \shape.tiles  = shape[88:77];
-  assign \shape.output_words  = shape[100:89];
-  assign \shape.beats_in  = shape[116:101];
-  assign \shape.beats_out  = shape[132:117];
+  assign \shape.out_height  = shape[47:32];
+  assign \shape.groups  = shape[62:48];
+  assign \shape.tail  = shape[64:63];
+  assign \shape.blocks  = shape[78:65];
+  assign \shape.ingest_words  = shape[92:79];
+  assign \shape.column_words  = shape[107:93];
+  assign \shape.tiles  = shape[119:108];
+  assign \shape.output_words  = shape[131:120];
+  assign \shape.beats_in  = shape[147:132];
+  assign \shape.beats_out  = shape[163:148];
+  assign \shape.pointwise  = shape[164];
+  assign \shape.halved  = shape[165];
+  assign \shape.biased  = shape[166];
   assign \o__payload.data  = o__payload[47:0];
   assign \o__payload.pixel_last  = o__payload[48];
   assign \o__payload.last  = o__payload[49];
@@ -6312,47 +6742,48 @@ module \macram_top.array.drain (rst, start, finished, shift, credit, o__ready, s
   assign \info.tile  = info[3:0];
   assign \info.tile_last  = info[4];
   assign \info.slots  = info[8:5];
-  assign \info.image_last  = info[9];
-  assign \heads$59[0]  = \heads$59 [75:0];
-  assign \heads$59[0][0]  = \heads$59 [18:0];
-  assign \heads$59[0][1]  = \heads$59 [37:19];
-  assign \heads$59[0][2]  = \heads$59 [56:38];
-  assign \heads$59[0][3]  = \heads$59 [75:57];
-  assign \heads$59[1]  = \heads$59 [151:76];
-  assign \heads$59[1][0]  = \heads$59 [94:76];
-  assign \heads$59[1][1]  = \heads$59 [113:95];
-  assign \heads$59[1][2]  = \heads$59 [132:114];
-  assign \heads$59[1][3]  = \heads$59 [151:133];
-  assign \heads$59[2]  = \heads$59 [227:152];
-  assign \heads$59[2][0]  = \heads$59 [170:152];
-  assign \heads$59[2][1]  = \heads$59 [189:171];
-  assign \heads$59[2][2]  = \heads$59 [208:190];
-  assign \heads$59[2][3]  = \heads$59 [227:209];
-  assign \heads$59[3]  = \heads$59 [303:228];
-  assign \heads$59[3][0]  = \heads$59 [246:228];
-  assign \heads$59[3][1]  = \heads$59 [265:247];
-  assign \heads$59[3][2]  = \heads$59 [284:266];
-  assign \heads$59[3][3]  = \heads$59 [303:285];
+  assign \info.edge  = info[9];
+  assign \info.image_last  = info[10];
+  assign \heads$60[0]  = \heads$60 [75:0];
+  assign \heads$60[0][0]  = \heads$60 [18:0];
+  assign \heads$60[0][1]  = \heads$60 [37:19];
+  assign \heads$60[0][2]  = \heads$60 [56:38];
+  assign \heads$60[0][3]  = \heads$60 [75:57];
+  assign \heads$60[1]  = \heads$60 [151:76];
+  assign \heads$60[1][0]  = \heads$60 [94:76];
+  assign \heads$60[1][1]  = \heads$60 [113:95];
+  assign \heads$60[1][2]  = \heads$60 [132:114];
+  assign \heads$60[1][3]  = \heads$60 [151:133];
+  assign \heads$60[2]  = \heads$60 [227:152];
+  assign \heads$60[2][0]  = \heads$60 [170:152];
+  assign \heads$60[2][1]  = \heads$60 [189:171];
+  assign \heads$60[2][2]  = \heads$60 [208:190];
+  assign \heads$60[2][3]  = \heads$60 [227:209];
+  assign \heads$60[3]  = \heads$60 [303:228];
+  assign \heads$60[3][0]  = \heads$60 [246:228];
+  assign \heads$60[3][1]  = \heads$60 [265:247];
+  assign \heads$60[3][2]  = \heads$60 [284:266];
+  assign \heads$60[3][3]  = \heads$60 [303:285];
 endmodule
 
-module \macram_top.array.drain.requant (rst, parameters, soft_reset, accumulators, codes, clk);
+module \macram_top.array.drain.requant (rst, \parameters$3 , soft_reset, accumulators, \edge , codes, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$4  = 0;
-  wire \$1 ;
-  wire \$10 ;
-  wire \$100 ;
+  wire [16:0] \$1 ;
+  wire [2:0] \$10 ;
+  wire [2:0] \$100 ;
   wire \$101 ;
-  wire \$102 ;
+  wire [19:0] \$102 ;
   wire \$103 ;
-  wire [2:0] \$104 ;
+  wire \$104 ;
   wire \$105 ;
   wire \$106 ;
   wire \$107 ;
   wire \$108 ;
   wire \$109 ;
-  wire \$11 ;
-  wire \$110 ;
+  wire [16:0] \$11 ;
+  wire [2:0] \$110 ;
   wire \$111 ;
-  wire [2:0] \$112 ;
+  wire [19:0] \$112 ;
   wire \$113 ;
   wire \$114 ;
   wire \$115 ;
@@ -6360,151 +6791,183 @@ module \macram_top.array.drain.requant (rst, parameters, soft_reset, accumulator
   wire \$117 ;
   wire \$118 ;
   wire \$119 ;
-  wire \$12 ;
+  wire [19:0] \$12 ;
   wire [2:0] \$120 ;
-  wire \$121 ;
-  wire \$122 ;
+  wire [16:0] \$121 ;
+  wire [19:0] \$122 ;
   wire \$123 ;
   wire \$124 ;
   wire \$125 ;
   wire \$126 ;
   wire \$127 ;
-  wire [2:0] \$128 ;
-  wire [1:0] \$129 ;
+  wire \$128 ;
+  wire \$129 ;
   wire \$13 ;
-  wire [1:0] \$130 ;
-  wire [2:0] \$131 ;
-  wire [1:0] \$132 ;
-  wire [2:0] \$133 ;
-  wire [3:0] \$134 ;
-  wire [1:0] \$135 ;
-  wire [1:0] \$136 ;
-  wire [2:0] \$137 ;
-  wire [1:0] \$138 ;
-  wire [2:0] \$139 ;
+  wire [2:0] \$130 ;
+  wire [16:0] \$131 ;
+  wire [19:0] \$132 ;
+  wire \$133 ;
+  wire \$134 ;
+  wire \$135 ;
+  wire \$136 ;
+  wire \$137 ;
+  wire \$138 ;
+  wire \$139 ;
   wire \$14 ;
-  wire [3:0] \$140 ;
-  wire [1:0] \$141 ;
-  wire [1:0] \$142 ;
-  wire [2:0] \$143 ;
-  wire [1:0] \$144 ;
-  wire [2:0] \$145 ;
-  wire [3:0] \$146 ;
-  wire [1:0] \$147 ;
-  wire [1:0] \$148 ;
-  wire [2:0] \$149 ;
+  wire [2:0] \$140 ;
+  wire \$141 ;
+  wire [19:0] \$142 ;
+  wire \$143 ;
+  wire \$144 ;
+  wire \$145 ;
+  wire \$146 ;
+  wire \$147 ;
+  wire \$148 ;
+  wire \$149 ;
   wire \$15 ;
-  wire [1:0] \$150 ;
-  wire [2:0] \$151 ;
-  wire [3:0] \$152 ;
-  wire [1:0] \$153 ;
-  wire [1:0] \$154 ;
-  wire [2:0] \$155 ;
-  wire [1:0] \$156 ;
-  wire [2:0] \$157 ;
-  wire [3:0] \$158 ;
-  wire [1:0] \$159 ;
-  wire [2:0] \$16 ;
-  wire [1:0] \$160 ;
-  wire [2:0] \$161 ;
+  wire [2:0] \$150 ;
+  wire \$151 ;
+  wire [19:0] \$152 ;
+  wire \$153 ;
+  wire \$154 ;
+  wire \$155 ;
+  wire \$156 ;
+  wire \$157 ;
+  wire \$158 ;
+  wire \$159 ;
+  wire \$16 ;
+  wire [2:0] \$160 ;
+  wire [1:0] \$161 ;
   wire [1:0] \$162 ;
   wire [2:0] \$163 ;
-  wire [3:0] \$164 ;
-  wire [1:0] \$165 ;
-  wire [1:0] \$166 ;
-  wire [2:0] \$167 ;
+  wire [1:0] \$164 ;
+  wire [2:0] \$165 ;
+  wire [3:0] \$166 ;
+  wire [1:0] \$167 ;
   wire [1:0] \$168 ;
   wire [2:0] \$169 ;
   wire \$17 ;
-  wire [3:0] \$170 ;
-  wire [1:0] \$171 ;
-  wire [1:0] \$172 ;
-  wire [2:0] \$173 ;
+  wire [1:0] \$170 ;
+  wire [2:0] \$171 ;
+  wire [3:0] \$172 ;
+  wire [1:0] \$173 ;
   wire [1:0] \$174 ;
   wire [2:0] \$175 ;
-  wire [3:0] \$176 ;
-  wire [1:0] \$177 ;
-  wire [1:0] \$178 ;
-  wire [2:0] \$179 ;
+  wire [1:0] \$176 ;
+  wire [2:0] \$177 ;
+  wire [3:0] \$178 ;
+  wire [1:0] \$179 ;
   wire \$18 ;
   wire [1:0] \$180 ;
   wire [2:0] \$181 ;
-  wire [3:0] \$182 ;
-  wire [1:0] \$183 ;
-  wire [1:0] \$184 ;
-  wire [2:0] \$185 ;
+  wire [1:0] \$182 ;
+  wire [2:0] \$183 ;
+  wire [3:0] \$184 ;
+  wire [1:0] \$185 ;
   wire [1:0] \$186 ;
   wire [2:0] \$187 ;
-  wire [3:0] \$188 ;
-  wire [1:0] \$189 ;
+  wire [1:0] \$188 ;
+  wire [2:0] \$189 ;
   wire \$19 ;
-  wire [1:0] \$190 ;
-  wire [2:0] \$191 ;
+  wire [3:0] \$190 ;
+  wire [1:0] \$191 ;
   wire [1:0] \$192 ;
   wire [2:0] \$193 ;
-  wire [3:0] \$194 ;
-  wire [1:0] \$195 ;
-  wire [1:0] \$196 ;
-  wire [2:0] \$197 ;
+  wire [1:0] \$194 ;
+  wire [2:0] \$195 ;
+  wire [3:0] \$196 ;
+  wire [1:0] \$197 ;
   wire [1:0] \$198 ;
   wire [2:0] \$199 ;
-  wire \$2 ;
-  wire \$20 ;
-  wire [3:0] \$200 ;
-  wire [1:0] \$201 ;
-  wire [1:0] \$202 ;
-  wire [2:0] \$203 ;
+  wire [19:0] \$2 ;
+  wire [2:0] \$20 ;
+  wire [1:0] \$200 ;
+  wire [2:0] \$201 ;
+  wire [3:0] \$202 ;
+  wire [1:0] \$203 ;
   wire [1:0] \$204 ;
   wire [2:0] \$205 ;
-  wire [3:0] \$206 ;
-  wire [1:0] \$207 ;
-  wire [1:0] \$208 ;
-  wire [2:0] \$209 ;
+  wire [1:0] \$206 ;
+  wire [2:0] \$207 ;
+  wire [3:0] \$208 ;
+  wire [1:0] \$209 ;
   wire \$21 ;
   wire [1:0] \$210 ;
   wire [2:0] \$211 ;
-  wire [3:0] \$212 ;
-  wire [1:0] \$213 ;
-  wire [1:0] \$214 ;
-  wire [2:0] \$215 ;
+  wire [1:0] \$212 ;
+  wire [2:0] \$213 ;
+  wire [3:0] \$214 ;
+  wire [1:0] \$215 ;
   wire [1:0] \$216 ;
   wire [2:0] \$217 ;
-  wire [3:0] \$218 ;
-  wire [1:0] \$219 ;
-  wire \$22 ;
-  wire [1:0] \$220 ;
-  wire [2:0] \$221 ;
+  wire [1:0] \$218 ;
+  wire [2:0] \$219 ;
+  wire [19:0] \$22 ;
+  wire [3:0] \$220 ;
+  wire [1:0] \$221 ;
   wire [1:0] \$222 ;
   wire [2:0] \$223 ;
-  wire [3:0] \$224 ;
-  wire [6:0] \$225 ;
-  reg [47:0] \$226 ;
-  wire [6:0] \$227 ;
-  wire [6:0] \$228 ;
-  wire [6:0] \$229 ;
+  wire [1:0] \$224 ;
+  wire [2:0] \$225 ;
+  wire [3:0] \$226 ;
+  wire [1:0] \$227 ;
+  wire [1:0] \$228 ;
+  wire [2:0] \$229 ;
   wire \$23 ;
-  wire [6:0] \$230 ;
-  wire [6:0] \$231 ;
-  wire [6:0] \$232 ;
-  wire [6:0] \$233 ;
-  wire [6:0] \$234 ;
-  wire [6:0] \$235 ;
-  wire [6:0] \$236 ;
-  wire [6:0] \$237 ;
-  wire [6:0] \$238 ;
-  wire [6:0] \$239 ;
-  wire [2:0] \$24 ;
-  wire [6:0] \$240 ;
-  wire [6:0] \$241 ;
+  wire [1:0] \$230 ;
+  wire [2:0] \$231 ;
+  wire [3:0] \$232 ;
+  wire [1:0] \$233 ;
+  wire [1:0] \$234 ;
+  wire [2:0] \$235 ;
+  wire [1:0] \$236 ;
+  wire [2:0] \$237 ;
+  wire [3:0] \$238 ;
+  wire [1:0] \$239 ;
+  wire \$24 ;
+  wire [1:0] \$240 ;
+  wire [2:0] \$241 ;
+  wire [1:0] \$242 ;
+  wire [2:0] \$243 ;
+  wire [3:0] \$244 ;
+  wire [1:0] \$245 ;
+  wire [1:0] \$246 ;
+  wire [2:0] \$247 ;
+  wire [1:0] \$248 ;
+  wire [2:0] \$249 ;
   wire \$25 ;
+  wire [3:0] \$250 ;
+  wire [1:0] \$251 ;
+  wire [1:0] \$252 ;
+  wire [2:0] \$253 ;
+  wire [1:0] \$254 ;
+  wire [2:0] \$255 ;
+  wire [3:0] \$256 ;
+  wire [6:0] \$257 ;
+  reg [47:0] \$258 ;
+  wire [6:0] \$259 ;
   wire \$26 ;
+  wire [6:0] \$260 ;
+  wire [6:0] \$261 ;
+  wire [6:0] \$262 ;
+  wire [6:0] \$263 ;
+  wire [6:0] \$264 ;
+  wire [6:0] \$265 ;
+  wire [6:0] \$266 ;
+  wire [6:0] \$267 ;
+  wire [6:0] \$268 ;
+  wire [6:0] \$269 ;
   wire \$27 ;
+  wire [6:0] \$270 ;
+  wire [6:0] \$271 ;
+  wire [6:0] \$272 ;
+  wire [6:0] \$273 ;
   wire \$28 ;
   wire \$29 ;
   wire \$3 ;
-  wire \$30 ;
+  wire [2:0] \$30 ;
   wire \$31 ;
-  wire [2:0] \$32 ;
+  wire [19:0] \$32 ;
   wire \$33 ;
   wire \$34 ;
   wire \$35 ;
@@ -6514,41 +6977,41 @@ module \macram_top.array.drain.requant (rst, parameters, soft_reset, accumulator
   wire \$39 ;
   wire \$4 ;
   wire [2:0] \$40 ;
-  wire \$41 ;
-  wire \$42 ;
+  wire [16:0] \$41 ;
+  wire [19:0] \$42 ;
   wire \$43 ;
   wire \$44 ;
   wire \$45 ;
   wire \$46 ;
   wire \$47 ;
-  wire [2:0] \$48 ;
+  wire \$48 ;
   wire \$49 ;
   wire \$5 ;
-  wire \$50 ;
-  wire \$51 ;
-  wire \$52 ;
+  wire [2:0] \$50 ;
+  wire [16:0] \$51 ;
+  wire [19:0] \$52 ;
   wire \$53 ;
   wire \$54 ;
   wire \$55 ;
-  wire [2:0] \$56 ;
+  wire \$56 ;
   wire \$57 ;
   wire \$58 ;
   wire \$59 ;
   wire \$6 ;
-  wire \$60 ;
+  wire [2:0] \$60 ;
   wire \$61 ;
-  wire \$62 ;
+  wire [19:0] \$62 ;
   wire \$63 ;
-  wire [2:0] \$64 ;
+  wire \$64 ;
   wire \$65 ;
   wire \$66 ;
   wire \$67 ;
   wire \$68 ;
   wire \$69 ;
   wire \$7 ;
-  wire \$70 ;
+  wire [2:0] \$70 ;
   wire \$71 ;
-  wire [2:0] \$72 ;
+  wire [19:0] \$72 ;
   wire \$73 ;
   wire \$74 ;
   wire \$75 ;
@@ -6556,25 +7019,25 @@ module \macram_top.array.drain.requant (rst, parameters, soft_reset, accumulator
   wire \$77 ;
   wire \$78 ;
   wire \$79 ;
-  wire [2:0] \$8 ;
+  wire \$8 ;
   wire [2:0] \$80 ;
-  wire \$81 ;
-  wire \$82 ;
+  wire [16:0] \$81 ;
+  wire [19:0] \$82 ;
   wire \$83 ;
   wire \$84 ;
   wire \$85 ;
   wire \$86 ;
   wire \$87 ;
-  wire [2:0] \$88 ;
+  wire \$88 ;
   wire \$89 ;
   wire \$9 ;
-  wire \$90 ;
-  wire \$91 ;
-  wire \$92 ;
+  wire [2:0] \$90 ;
+  wire [16:0] \$91 ;
+  wire [19:0] \$92 ;
   wire \$93 ;
   wire \$94 ;
   wire \$95 ;
-  wire [2:0] \$96 ;
+  wire \$96 ;
   wire \$97 ;
   wire \$98 ;
   wire \$99 ;
@@ -6604,6 +7067,8 @@ module \macram_top.array.drain.requant (rst, parameters, soft_reset, accumulator
   wire clk;
   output [47:0] codes;
   reg [47:0] codes = 48'h000000000000;
+  input \edge ;
+  wire \edge ;
   reg invert_0_0 = 1'h0;
   reg invert_0_1 = 1'h0;
   reg invert_0_2 = 1'h0;
@@ -6636,8 +7101,9 @@ module \macram_top.array.drain.requant (rst, parameters, soft_reset, accumulator
   wire [2:0] number_3_1;
   wire [2:0] number_3_2;
   wire [2:0] number_3_3;
-  input [535:0] parameters;
-  wire [535:0] parameters;
+  reg [671:0] parameters = 672'h000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000;
+  input [671:0] \parameters$3 ;
+  wire [671:0] \parameters$3 ;
   reg [6:0] reached_0_0 = 7'h00;
   reg [6:0] reached_0_1 = 7'h00;
   reg [6:0] reached_0_2 = 7'h00;
@@ -6658,337 +7124,411 @@ module \macram_top.array.drain.requant (rst, parameters, soft_reset, accumulator
   wire rst;
   input soft_reset;
   wire soft_reset;
-  assign \$1  = $signed(accumulators[18:0]) >= $signed(parameters[18:0]);
-  assign \$2  = $signed(accumulators[18:0]) >= $signed(parameters[37:19]);
-  assign \$3  = $signed(accumulators[18:0]) >= $signed(parameters[56:38]);
-  assign \$4  = $signed(accumulators[18:0]) >= $signed(parameters[75:57]);
-  assign \$5  = $signed(accumulators[18:0]) >= $signed(parameters[94:76]);
-  assign \$6  = $signed(accumulators[18:0]) >= $signed(parameters[113:95]);
-  assign \$7  = $signed(accumulators[18:0]) >= $signed(parameters[132:114]);
-  assign \$8  = \$134 [2:0] ^ { invert_0_0, invert_0_0, invert_0_0 };
-  assign \$9  = $signed(accumulators[37:19]) >= $signed(parameters[18:0]);
-  assign \$10  = $signed(accumulators[37:19]) >= $signed(parameters[37:19]);
-  assign \$11  = $signed(accumulators[37:19]) >= $signed(parameters[56:38]);
-  assign \$12  = $signed(accumulators[37:19]) >= $signed(parameters[75:57]);
-  assign \$13  = $signed(accumulators[37:19]) >= $signed(parameters[94:76]);
-  assign \$14  = $signed(accumulators[37:19]) >= $signed(parameters[113:95]);
-  assign \$15  = $signed(accumulators[37:19]) >= $signed(parameters[132:114]);
-  assign \$16  = \$140 [2:0] ^ { invert_0_1, invert_0_1, invert_0_1 };
-  assign \$17  = $signed(accumulators[56:38]) >= $signed(parameters[18:0]);
-  assign \$18  = $signed(accumulators[56:38]) >= $signed(parameters[37:19]);
-  assign \$19  = $signed(accumulators[56:38]) >= $signed(parameters[56:38]);
-  assign \$20  = $signed(accumulators[56:38]) >= $signed(parameters[75:57]);
-  assign \$21  = $signed(accumulators[56:38]) >= $signed(parameters[94:76]);
-  assign \$22  = $signed(accumulators[56:38]) >= $signed(parameters[113:95]);
-  assign \$23  = $signed(accumulators[56:38]) >= $signed(parameters[132:114]);
-  assign \$24  = \$146 [2:0] ^ { invert_0_2, invert_0_2, invert_0_2 };
-  assign \$25  = $signed(accumulators[75:57]) >= $signed(parameters[18:0]);
-  assign \$26  = $signed(accumulators[75:57]) >= $signed(parameters[37:19]);
-  assign \$27  = $signed(accumulators[75:57]) >= $signed(parameters[56:38]);
-  assign \$28  = $signed(accumulators[75:57]) >= $signed(parameters[75:57]);
-  assign \$29  = $signed(accumulators[75:57]) >= $signed(parameters[94:76]);
-  assign \$30  = $signed(accumulators[75:57]) >= $signed(parameters[113:95]);
-  assign \$31  = $signed(accumulators[75:57]) >= $signed(parameters[132:114]);
-  assign \$32  = \$152 [2:0] ^ { invert_0_3, invert_0_3, invert_0_3 };
-  assign \$33  = $signed(accumulators[94:76]) >= $signed(parameters[152:134]);
-  assign \$34  = $signed(accumulators[94:76]) >= $signed(parameters[171:153]);
-  assign \$35  = $signed(accumulators[94:76]) >= $signed(parameters[190:172]);
-  assign \$36  = $signed(accumulators[94:76]) >= $signed(parameters[209:191]);
-  assign \$37  = $signed(accumulators[94:76]) >= $signed(parameters[228:210]);
-  assign \$38  = $signed(accumulators[94:76]) >= $signed(parameters[247:229]);
-  assign \$39  = $signed(accumulators[94:76]) >= $signed(parameters[266:248]);
-  assign \$40  = \$158 [2:0] ^ { invert_1_0, invert_1_0, invert_1_0 };
-  assign \$41  = $signed(accumulators[113:95]) >= $signed(parameters[152:134]);
-  assign \$42  = $signed(accumulators[113:95]) >= $signed(parameters[171:153]);
-  assign \$43  = $signed(accumulators[113:95]) >= $signed(parameters[190:172]);
-  assign \$44  = $signed(accumulators[113:95]) >= $signed(parameters[209:191]);
-  assign \$45  = $signed(accumulators[113:95]) >= $signed(parameters[228:210]);
-  assign \$46  = $signed(accumulators[113:95]) >= $signed(parameters[247:229]);
-  assign \$47  = $signed(accumulators[113:95]) >= $signed(parameters[266:248]);
-  assign \$48  = \$164 [2:0] ^ { invert_1_1, invert_1_1, invert_1_1 };
-  assign \$49  = $signed(accumulators[132:114]) >= $signed(parameters[152:134]);
-  assign \$50  = $signed(accumulators[132:114]) >= $signed(parameters[171:153]);
-  assign \$51  = $signed(accumulators[132:114]) >= $signed(parameters[190:172]);
-  assign \$52  = $signed(accumulators[132:114]) >= $signed(parameters[209:191]);
-  assign \$53  = $signed(accumulators[132:114]) >= $signed(parameters[228:210]);
-  assign \$54  = $signed(accumulators[132:114]) >= $signed(parameters[247:229]);
-  assign \$55  = $signed(accumulators[132:114]) >= $signed(parameters[266:248]);
-  assign \$56  = \$170 [2:0] ^ { invert_1_2, invert_1_2, invert_1_2 };
-  assign \$57  = $signed(accumulators[151:133]) >= $signed(parameters[152:134]);
-  assign \$58  = $signed(accumulators[151:133]) >= $signed(parameters[171:153]);
-  assign \$59  = $signed(accumulators[151:133]) >= $signed(parameters[190:172]);
-  assign \$60  = $signed(accumulators[151:133]) >= $signed(parameters[209:191]);
-  assign \$61  = $signed(accumulators[151:133]) >= $signed(parameters[228:210]);
-  assign \$62  = $signed(accumulators[151:133]) >= $signed(parameters[247:229]);
-  assign \$63  = $signed(accumulators[151:133]) >= $signed(parameters[266:248]);
-  assign \$64  = \$176 [2:0] ^ { invert_1_3, invert_1_3, invert_1_3 };
-  assign \$65  = $signed(accumulators[170:152]) >= $signed(parameters[286:268]);
-  assign \$66  = $signed(accumulators[170:152]) >= $signed(parameters[305:287]);
-  assign \$67  = $signed(accumulators[170:152]) >= $signed(parameters[324:306]);
-  assign \$68  = $signed(accumulators[170:152]) >= $signed(parameters[343:325]);
-  assign \$69  = $signed(accumulators[170:152]) >= $signed(parameters[362:344]);
-  assign \$70  = $signed(accumulators[170:152]) >= $signed(parameters[381:363]);
-  assign \$71  = $signed(accumulators[170:152]) >= $signed(parameters[400:382]);
-  assign \$72  = \$182 [2:0] ^ { invert_2_0, invert_2_0, invert_2_0 };
-  assign \$73  = $signed(accumulators[189:171]) >= $signed(parameters[286:268]);
-  assign \$74  = $signed(accumulators[189:171]) >= $signed(parameters[305:287]);
-  assign \$75  = $signed(accumulators[189:171]) >= $signed(parameters[324:306]);
-  assign \$76  = $signed(accumulators[189:171]) >= $signed(parameters[343:325]);
-  assign \$77  = $signed(accumulators[189:171]) >= $signed(parameters[362:344]);
-  assign \$78  = $signed(accumulators[189:171]) >= $signed(parameters[381:363]);
-  assign \$79  = $signed(accumulators[189:171]) >= $signed(parameters[400:382]);
-  assign \$80  = \$188 [2:0] ^ { invert_2_1, invert_2_1, invert_2_1 };
-  assign \$81  = $signed(accumulators[208:190]) >= $signed(parameters[286:268]);
-  assign \$82  = $signed(accumulators[208:190]) >= $signed(parameters[305:287]);
-  assign \$83  = $signed(accumulators[208:190]) >= $signed(parameters[324:306]);
-  assign \$84  = $signed(accumulators[208:190]) >= $signed(parameters[343:325]);
-  assign \$85  = $signed(accumulators[208:190]) >= $signed(parameters[362:344]);
-  assign \$86  = $signed(accumulators[208:190]) >= $signed(parameters[381:363]);
-  assign \$87  = $signed(accumulators[208:190]) >= $signed(parameters[400:382]);
-  assign \$88  = \$194 [2:0] ^ { invert_2_2, invert_2_2, invert_2_2 };
-  assign \$89  = $signed(accumulators[227:209]) >= $signed(parameters[286:268]);
-  assign \$90  = $signed(accumulators[227:209]) >= $signed(parameters[305:287]);
-  assign \$91  = $signed(accumulators[227:209]) >= $signed(parameters[324:306]);
-  assign \$92  = $signed(accumulators[227:209]) >= $signed(parameters[343:325]);
-  assign \$93  = $signed(accumulators[227:209]) >= $signed(parameters[362:344]);
-  assign \$94  = $signed(accumulators[227:209]) >= $signed(parameters[381:363]);
-  assign \$95  = $signed(accumulators[227:209]) >= $signed(parameters[400:382]);
-  assign \$96  = \$200 [2:0] ^ { invert_2_3, invert_2_3, invert_2_3 };
-  assign \$97  = $signed(accumulators[246:228]) >= $signed(parameters[420:402]);
-  assign \$98  = $signed(accumulators[246:228]) >= $signed(parameters[439:421]);
-  assign \$99  = $signed(accumulators[246:228]) >= $signed(parameters[458:440]);
-  assign \$100  = $signed(accumulators[246:228]) >= $signed(parameters[477:459]);
-  assign \$101  = $signed(accumulators[246:228]) >= $signed(parameters[496:478]);
-  assign \$102  = $signed(accumulators[246:228]) >= $signed(parameters[515:497]);
-  assign \$103  = $signed(accumulators[246:228]) >= $signed(parameters[534:516]);
-  assign \$104  = \$206 [2:0] ^ { invert_3_0, invert_3_0, invert_3_0 };
-  assign \$105  = $signed(accumulators[265:247]) >= $signed(parameters[420:402]);
-  assign \$106  = $signed(accumulators[265:247]) >= $signed(parameters[439:421]);
-  assign \$107  = $signed(accumulators[265:247]) >= $signed(parameters[458:440]);
-  assign \$108  = $signed(accumulators[265:247]) >= $signed(parameters[477:459]);
-  assign \$109  = $signed(accumulators[265:247]) >= $signed(parameters[496:478]);
-  assign \$110  = $signed(accumulators[265:247]) >= $signed(parameters[515:497]);
-  assign \$111  = $signed(accumulators[265:247]) >= $signed(parameters[534:516]);
-  assign \$112  = \$212 [2:0] ^ { invert_3_1, invert_3_1, invert_3_1 };
-  assign \$113  = $signed(accumulators[284:266]) >= $signed(parameters[420:402]);
-  assign \$114  = $signed(accumulators[284:266]) >= $signed(parameters[439:421]);
-  assign \$115  = $signed(accumulators[284:266]) >= $signed(parameters[458:440]);
-  assign \$116  = $signed(accumulators[284:266]) >= $signed(parameters[477:459]);
-  assign \$117  = $signed(accumulators[284:266]) >= $signed(parameters[496:478]);
-  assign \$118  = $signed(accumulators[284:266]) >= $signed(parameters[515:497]);
-  assign \$119  = $signed(accumulators[284:266]) >= $signed(parameters[534:516]);
-  assign \$120  = \$218 [2:0] ^ { invert_3_2, invert_3_2, invert_3_2 };
-  assign \$121  = $signed(accumulators[303:285]) >= $signed(parameters[420:402]);
-  assign \$122  = $signed(accumulators[303:285]) >= $signed(parameters[439:421]);
-  assign \$123  = $signed(accumulators[303:285]) >= $signed(parameters[458:440]);
-  assign \$124  = $signed(accumulators[303:285]) >= $signed(parameters[477:459]);
-  assign \$125  = $signed(accumulators[303:285]) >= $signed(parameters[496:478]);
-  assign \$126  = $signed(accumulators[303:285]) >= $signed(parameters[515:497]);
-  assign \$127  = $signed(accumulators[303:285]) >= $signed(parameters[534:516]);
-  assign \$128  = \$224 [2:0] ^ { invert_3_3, invert_3_3, invert_3_3 };
-  assign \$129  = reached_0_0[0] + reached_0_0[1];
-  assign \$130  = reached_0_0[2] + reached_0_0[3];
-  assign \$131  = \$129  + \$130 ;
-  assign \$132  = reached_0_0[4] + reached_0_0[5];
-  assign \$133  = \$132  + reached_0_0[6];
-  assign \$134  = \$131  + \$133 ;
-  assign \$135  = reached_0_1[0] + reached_0_1[1];
-  assign \$136  = reached_0_1[2] + reached_0_1[3];
-  assign \$137  = \$135  + \$136 ;
-  assign \$138  = reached_0_1[4] + reached_0_1[5];
-  assign \$139  = \$138  + reached_0_1[6];
-  assign \$140  = \$137  + \$139 ;
-  assign \$141  = reached_0_2[0] + reached_0_2[1];
-  assign \$142  = reached_0_2[2] + reached_0_2[3];
-  assign \$143  = \$141  + \$142 ;
-  assign \$144  = reached_0_2[4] + reached_0_2[5];
-  assign \$145  = \$144  + reached_0_2[6];
-  assign \$146  = \$143  + \$145 ;
-  assign \$147  = reached_0_3[0] + reached_0_3[1];
-  assign \$148  = reached_0_3[2] + reached_0_3[3];
-  assign \$149  = \$147  + \$148 ;
-  assign \$150  = reached_0_3[4] + reached_0_3[5];
-  assign \$151  = \$150  + reached_0_3[6];
-  assign \$152  = \$149  + \$151 ;
-  assign \$153  = reached_1_0[0] + reached_1_0[1];
-  assign \$154  = reached_1_0[2] + reached_1_0[3];
-  assign \$155  = \$153  + \$154 ;
-  assign \$156  = reached_1_0[4] + reached_1_0[5];
-  assign \$157  = \$156  + reached_1_0[6];
-  assign \$158  = \$155  + \$157 ;
-  assign \$159  = reached_1_1[0] + reached_1_1[1];
-  assign \$160  = reached_1_1[2] + reached_1_1[3];
-  assign \$161  = \$159  + \$160 ;
-  assign \$162  = reached_1_1[4] + reached_1_1[5];
-  assign \$163  = \$162  + reached_1_1[6];
-  assign \$164  = \$161  + \$163 ;
-  assign \$165  = reached_1_2[0] + reached_1_2[1];
-  assign \$166  = reached_1_2[2] + reached_1_2[3];
-  assign \$167  = \$165  + \$166 ;
-  assign \$168  = reached_1_2[4] + reached_1_2[5];
-  assign \$169  = \$168  + reached_1_2[6];
-  assign \$170  = \$167  + \$169 ;
-  assign \$171  = reached_1_3[0] + reached_1_3[1];
-  assign \$172  = reached_1_3[2] + reached_1_3[3];
-  assign \$173  = \$171  + \$172 ;
-  assign \$174  = reached_1_3[4] + reached_1_3[5];
-  assign \$175  = \$174  + reached_1_3[6];
-  assign \$176  = \$173  + \$175 ;
-  assign \$177  = reached_2_0[0] + reached_2_0[1];
-  assign \$178  = reached_2_0[2] + reached_2_0[3];
-  assign \$179  = \$177  + \$178 ;
-  assign \$180  = reached_2_0[4] + reached_2_0[5];
-  assign \$181  = \$180  + reached_2_0[6];
-  assign \$182  = \$179  + \$181 ;
-  assign \$183  = reached_2_1[0] + reached_2_1[1];
-  assign \$184  = reached_2_1[2] + reached_2_1[3];
-  assign \$185  = \$183  + \$184 ;
-  assign \$186  = reached_2_1[4] + reached_2_1[5];
-  assign \$187  = \$186  + reached_2_1[6];
-  assign \$188  = \$185  + \$187 ;
-  assign \$189  = reached_2_2[0] + reached_2_2[1];
-  assign \$190  = reached_2_2[2] + reached_2_2[3];
-  assign \$191  = \$189  + \$190 ;
-  assign \$192  = reached_2_2[4] + reached_2_2[5];
-  assign \$193  = \$192  + reached_2_2[6];
-  assign \$194  = \$191  + \$193 ;
-  assign \$195  = reached_2_3[0] + reached_2_3[1];
-  assign \$196  = reached_2_3[2] + reached_2_3[3];
-  assign \$197  = \$195  + \$196 ;
-  assign \$198  = reached_2_3[4] + reached_2_3[5];
-  assign \$199  = \$198  + reached_2_3[6];
-  assign \$200  = \$197  + \$199 ;
-  assign \$201  = reached_3_0[0] + reached_3_0[1];
-  assign \$202  = reached_3_0[2] + reached_3_0[3];
-  assign \$203  = \$201  + \$202 ;
-  assign \$204  = reached_3_0[4] + reached_3_0[5];
-  assign \$205  = \$204  + reached_3_0[6];
-  assign \$206  = \$203  + \$205 ;
-  assign \$207  = reached_3_1[0] + reached_3_1[1];
-  assign \$208  = reached_3_1[2] + reached_3_1[3];
-  assign \$209  = \$207  + \$208 ;
-  assign \$210  = reached_3_1[4] + reached_3_1[5];
-  assign \$211  = \$210  + reached_3_1[6];
-  assign \$212  = \$209  + \$211 ;
-  assign \$213  = reached_3_2[0] + reached_3_2[1];
-  assign \$214  = reached_3_2[2] + reached_3_2[3];
-  assign \$215  = \$213  + \$214 ;
-  assign \$216  = reached_3_2[4] + reached_3_2[5];
-  assign \$217  = \$216  + reached_3_2[6];
-  assign \$218  = \$215  + \$217 ;
-  assign \$219  = reached_3_3[0] + reached_3_3[1];
-  assign \$220  = reached_3_3[2] + reached_3_3[3];
-  assign \$221  = \$219  + \$220 ;
-  assign \$222  = reached_3_3[4] + reached_3_3[5];
-  assign \$223  = \$222  + reached_3_3[6];
-  assign \$224  = \$221  + \$223 ;
+  reg [18:0] whole_0_0 = 19'h00000;
+  reg [18:0] whole_0_1 = 19'h00000;
+  reg [18:0] whole_0_2 = 19'h00000;
+  reg [18:0] whole_0_3 = 19'h00000;
+  reg [18:0] whole_1_0 = 19'h00000;
+  reg [18:0] whole_1_1 = 19'h00000;
+  reg [18:0] whole_1_2 = 19'h00000;
+  reg [18:0] whole_1_3 = 19'h00000;
+  reg [18:0] whole_2_0 = 19'h00000;
+  reg [18:0] whole_2_1 = 19'h00000;
+  reg [18:0] whole_2_2 = 19'h00000;
+  reg [18:0] whole_2_3 = 19'h00000;
+  reg [18:0] whole_3_0 = 19'h00000;
+  reg [18:0] whole_3_1 = 19'h00000;
+  reg [18:0] whole_3_2 = 19'h00000;
+  reg [18:0] whole_3_3 = 19'h00000;
+  assign \$1  = \edge  ? \parameters$3 [167:151] : 17'h00000;
+  assign \$2  = $signed(accumulators[18:0]) + $signed(\$1 );
+  assign \$3  = $signed(whole_0_0) >= $signed(parameters[18:0]);
+  assign \$4  = $signed(whole_0_0) >= $signed(parameters[37:19]);
+  assign \$5  = $signed(whole_0_0) >= $signed(parameters[56:38]);
+  assign \$6  = $signed(whole_0_0) >= $signed(parameters[75:57]);
+  assign \$7  = $signed(whole_0_0) >= $signed(parameters[94:76]);
+  assign \$8  = $signed(whole_0_0) >= $signed(parameters[113:95]);
+  assign \$9  = $signed(whole_0_0) >= $signed(parameters[132:114]);
+  assign \$10  = \$166 [2:0] ^ { invert_0_0, invert_0_0, invert_0_0 };
+  assign \$11  = \edge  ? \parameters$3 [150:134] : 17'h00000;
+  assign \$12  = $signed(accumulators[37:19]) + $signed(\$11 );
+  assign \$13  = $signed(whole_0_1) >= $signed(parameters[18:0]);
+  assign \$14  = $signed(whole_0_1) >= $signed(parameters[37:19]);
+  assign \$15  = $signed(whole_0_1) >= $signed(parameters[56:38]);
+  assign \$16  = $signed(whole_0_1) >= $signed(parameters[75:57]);
+  assign \$17  = $signed(whole_0_1) >= $signed(parameters[94:76]);
+  assign \$18  = $signed(whole_0_1) >= $signed(parameters[113:95]);
+  assign \$19  = $signed(whole_0_1) >= $signed(parameters[132:114]);
+  assign \$20  = \$172 [2:0] ^ { invert_0_1, invert_0_1, invert_0_1 };
+  assign \$22  = $signed(accumulators[56:38]) + $signed(2'h0);
+  assign \$23  = $signed(whole_0_2) >= $signed(parameters[18:0]);
+  assign \$24  = $signed(whole_0_2) >= $signed(parameters[37:19]);
+  assign \$25  = $signed(whole_0_2) >= $signed(parameters[56:38]);
+  assign \$26  = $signed(whole_0_2) >= $signed(parameters[75:57]);
+  assign \$27  = $signed(whole_0_2) >= $signed(parameters[94:76]);
+  assign \$28  = $signed(whole_0_2) >= $signed(parameters[113:95]);
+  assign \$29  = $signed(whole_0_2) >= $signed(parameters[132:114]);
+  assign \$30  = \$178 [2:0] ^ { invert_0_2, invert_0_2, invert_0_2 };
+  assign \$32  = $signed(accumulators[75:57]) + $signed(2'h0);
+  assign \$33  = $signed(whole_0_3) >= $signed(parameters[18:0]);
+  assign \$34  = $signed(whole_0_3) >= $signed(parameters[37:19]);
+  assign \$35  = $signed(whole_0_3) >= $signed(parameters[56:38]);
+  assign \$36  = $signed(whole_0_3) >= $signed(parameters[75:57]);
+  assign \$37  = $signed(whole_0_3) >= $signed(parameters[94:76]);
+  assign \$38  = $signed(whole_0_3) >= $signed(parameters[113:95]);
+  assign \$39  = $signed(whole_0_3) >= $signed(parameters[132:114]);
+  assign \$40  = \$184 [2:0] ^ { invert_0_3, invert_0_3, invert_0_3 };
+  assign \$41  = \edge  ? \parameters$3 [335:319] : 17'h00000;
+  assign \$42  = $signed(accumulators[94:76]) + $signed(\$41 );
+  assign \$43  = $signed(whole_1_0) >= $signed(parameters[186:168]);
+  assign \$44  = $signed(whole_1_0) >= $signed(parameters[205:187]);
+  assign \$45  = $signed(whole_1_0) >= $signed(parameters[224:206]);
+  assign \$46  = $signed(whole_1_0) >= $signed(parameters[243:225]);
+  assign \$47  = $signed(whole_1_0) >= $signed(parameters[262:244]);
+  assign \$48  = $signed(whole_1_0) >= $signed(parameters[281:263]);
+  assign \$49  = $signed(whole_1_0) >= $signed(parameters[300:282]);
+  assign \$50  = \$190 [2:0] ^ { invert_1_0, invert_1_0, invert_1_0 };
+  assign \$51  = \edge  ? \parameters$3 [318:302] : 17'h00000;
+  assign \$52  = $signed(accumulators[113:95]) + $signed(\$51 );
+  assign \$53  = $signed(whole_1_1) >= $signed(parameters[186:168]);
+  assign \$54  = $signed(whole_1_1) >= $signed(parameters[205:187]);
+  assign \$55  = $signed(whole_1_1) >= $signed(parameters[224:206]);
+  assign \$56  = $signed(whole_1_1) >= $signed(parameters[243:225]);
+  assign \$57  = $signed(whole_1_1) >= $signed(parameters[262:244]);
+  assign \$58  = $signed(whole_1_1) >= $signed(parameters[281:263]);
+  assign \$59  = $signed(whole_1_1) >= $signed(parameters[300:282]);
+  assign \$60  = \$196 [2:0] ^ { invert_1_1, invert_1_1, invert_1_1 };
+  assign \$62  = $signed(accumulators[132:114]) + $signed(2'h0);
+  assign \$63  = $signed(whole_1_2) >= $signed(parameters[186:168]);
+  assign \$64  = $signed(whole_1_2) >= $signed(parameters[205:187]);
+  assign \$65  = $signed(whole_1_2) >= $signed(parameters[224:206]);
+  assign \$66  = $signed(whole_1_2) >= $signed(parameters[243:225]);
+  assign \$67  = $signed(whole_1_2) >= $signed(parameters[262:244]);
+  assign \$68  = $signed(whole_1_2) >= $signed(parameters[281:263]);
+  assign \$69  = $signed(whole_1_2) >= $signed(parameters[300:282]);
+  assign \$70  = \$202 [2:0] ^ { invert_1_2, invert_1_2, invert_1_2 };
+  assign \$72  = $signed(accumulators[151:133]) + $signed(2'h0);
+  assign \$73  = $signed(whole_1_3) >= $signed(parameters[186:168]);
+  assign \$74  = $signed(whole_1_3) >= $signed(parameters[205:187]);
+  assign \$75  = $signed(whole_1_3) >= $signed(parameters[224:206]);
+  assign \$76  = $signed(whole_1_3) >= $signed(parameters[243:225]);
+  assign \$77  = $signed(whole_1_3) >= $signed(parameters[262:244]);
+  assign \$78  = $signed(whole_1_3) >= $signed(parameters[281:263]);
+  assign \$79  = $signed(whole_1_3) >= $signed(parameters[300:282]);
+  assign \$80  = \$208 [2:0] ^ { invert_1_3, invert_1_3, invert_1_3 };
+  assign \$81  = \edge  ? \parameters$3 [503:487] : 17'h00000;
+  assign \$82  = $signed(accumulators[170:152]) + $signed(\$81 );
+  assign \$83  = $signed(whole_2_0) >= $signed(parameters[354:336]);
+  assign \$84  = $signed(whole_2_0) >= $signed(parameters[373:355]);
+  assign \$85  = $signed(whole_2_0) >= $signed(parameters[392:374]);
+  assign \$86  = $signed(whole_2_0) >= $signed(parameters[411:393]);
+  assign \$87  = $signed(whole_2_0) >= $signed(parameters[430:412]);
+  assign \$88  = $signed(whole_2_0) >= $signed(parameters[449:431]);
+  assign \$89  = $signed(whole_2_0) >= $signed(parameters[468:450]);
+  assign \$90  = \$214 [2:0] ^ { invert_2_0, invert_2_0, invert_2_0 };
+  assign \$91  = \edge  ? \parameters$3 [486:470] : 17'h00000;
+  assign \$92  = $signed(accumulators[189:171]) + $signed(\$91 );
+  assign \$93  = $signed(whole_2_1) >= $signed(parameters[354:336]);
+  assign \$94  = $signed(whole_2_1) >= $signed(parameters[373:355]);
+  assign \$95  = $signed(whole_2_1) >= $signed(parameters[392:374]);
+  assign \$96  = $signed(whole_2_1) >= $signed(parameters[411:393]);
+  assign \$97  = $signed(whole_2_1) >= $signed(parameters[430:412]);
+  assign \$98  = $signed(whole_2_1) >= $signed(parameters[449:431]);
+  assign \$99  = $signed(whole_2_1) >= $signed(parameters[468:450]);
+  assign \$100  = \$220 [2:0] ^ { invert_2_1, invert_2_1, invert_2_1 };
+  assign \$102  = $signed(accumulators[208:190]) + $signed(2'h0);
+  assign \$103  = $signed(whole_2_2) >= $signed(parameters[354:336]);
+  assign \$104  = $signed(whole_2_2) >= $signed(parameters[373:355]);
+  assign \$105  = $signed(whole_2_2) >= $signed(parameters[392:374]);
+  assign \$106  = $signed(whole_2_2) >= $signed(parameters[411:393]);
+  assign \$107  = $signed(whole_2_2) >= $signed(parameters[430:412]);
+  assign \$108  = $signed(whole_2_2) >= $signed(parameters[449:431]);
+  assign \$109  = $signed(whole_2_2) >= $signed(parameters[468:450]);
+  assign \$110  = \$226 [2:0] ^ { invert_2_2, invert_2_2, invert_2_2 };
+  assign \$112  = $signed(accumulators[227:209]) + $signed(2'h0);
+  assign \$113  = $signed(whole_2_3) >= $signed(parameters[354:336]);
+  assign \$114  = $signed(whole_2_3) >= $signed(parameters[373:355]);
+  assign \$115  = $signed(whole_2_3) >= $signed(parameters[392:374]);
+  assign \$116  = $signed(whole_2_3) >= $signed(parameters[411:393]);
+  assign \$117  = $signed(whole_2_3) >= $signed(parameters[430:412]);
+  assign \$118  = $signed(whole_2_3) >= $signed(parameters[449:431]);
+  assign \$119  = $signed(whole_2_3) >= $signed(parameters[468:450]);
+  assign \$120  = \$232 [2:0] ^ { invert_2_3, invert_2_3, invert_2_3 };
+  assign \$121  = \edge  ? \parameters$3 [671:655] : 17'h00000;
+  assign \$122  = $signed(accumulators[246:228]) + $signed(\$121 );
+  assign \$123  = $signed(whole_3_0) >= $signed(parameters[522:504]);
+  assign \$124  = $signed(whole_3_0) >= $signed(parameters[541:523]);
+  assign \$125  = $signed(whole_3_0) >= $signed(parameters[560:542]);
+  assign \$126  = $signed(whole_3_0) >= $signed(parameters[579:561]);
+  assign \$127  = $signed(whole_3_0) >= $signed(parameters[598:580]);
+  assign \$128  = $signed(whole_3_0) >= $signed(parameters[617:599]);
+  assign \$129  = $signed(whole_3_0) >= $signed(parameters[636:618]);
+  assign \$130  = \$238 [2:0] ^ { invert_3_0, invert_3_0, invert_3_0 };
+  assign \$131  = \edge  ? \parameters$3 [654:638] : 17'h00000;
+  assign \$132  = $signed(accumulators[265:247]) + $signed(\$131 );
+  assign \$133  = $signed(whole_3_1) >= $signed(parameters[522:504]);
+  assign \$134  = $signed(whole_3_1) >= $signed(parameters[541:523]);
+  assign \$135  = $signed(whole_3_1) >= $signed(parameters[560:542]);
+  assign \$136  = $signed(whole_3_1) >= $signed(parameters[579:561]);
+  assign \$137  = $signed(whole_3_1) >= $signed(parameters[598:580]);
+  assign \$138  = $signed(whole_3_1) >= $signed(parameters[617:599]);
+  assign \$139  = $signed(whole_3_1) >= $signed(parameters[636:618]);
+  assign \$140  = \$244 [2:0] ^ { invert_3_1, invert_3_1, invert_3_1 };
+  assign \$142  = $signed(accumulators[284:266]) + $signed(2'h0);
+  assign \$143  = $signed(whole_3_2) >= $signed(parameters[522:504]);
+  assign \$144  = $signed(whole_3_2) >= $signed(parameters[541:523]);
+  assign \$145  = $signed(whole_3_2) >= $signed(parameters[560:542]);
+  assign \$146  = $signed(whole_3_2) >= $signed(parameters[579:561]);
+  assign \$147  = $signed(whole_3_2) >= $signed(parameters[598:580]);
+  assign \$148  = $signed(whole_3_2) >= $signed(parameters[617:599]);
+  assign \$149  = $signed(whole_3_2) >= $signed(parameters[636:618]);
+  assign \$150  = \$250 [2:0] ^ { invert_3_2, invert_3_2, invert_3_2 };
+  assign \$152  = $signed(accumulators[303:285]) + $signed(2'h0);
+  assign \$153  = $signed(whole_3_3) >= $signed(parameters[522:504]);
+  assign \$154  = $signed(whole_3_3) >= $signed(parameters[541:523]);
+  assign \$155  = $signed(whole_3_3) >= $signed(parameters[560:542]);
+  assign \$156  = $signed(whole_3_3) >= $signed(parameters[579:561]);
+  assign \$157  = $signed(whole_3_3) >= $signed(parameters[598:580]);
+  assign \$158  = $signed(whole_3_3) >= $signed(parameters[617:599]);
+  assign \$159  = $signed(whole_3_3) >= $signed(parameters[636:618]);
+  assign \$160  = \$256 [2:0] ^ { invert_3_3, invert_3_3, invert_3_3 };
+  assign \$161  = reached_0_0[0] + reached_0_0[1];
+  assign \$162  = reached_0_0[2] + reached_0_0[3];
+  assign \$163  = \$161  + \$162 ;
+  assign \$164  = reached_0_0[4] + reached_0_0[5];
+  assign \$165  = \$164  + reached_0_0[6];
+  assign \$166  = \$163  + \$165 ;
+  assign \$167  = reached_0_1[0] + reached_0_1[1];
+  assign \$168  = reached_0_1[2] + reached_0_1[3];
+  assign \$169  = \$167  + \$168 ;
+  assign \$170  = reached_0_1[4] + reached_0_1[5];
+  assign \$171  = \$170  + reached_0_1[6];
+  assign \$172  = \$169  + \$171 ;
+  assign \$173  = reached_0_2[0] + reached_0_2[1];
+  assign \$174  = reached_0_2[2] + reached_0_2[3];
+  assign \$175  = \$173  + \$174 ;
+  assign \$176  = reached_0_2[4] + reached_0_2[5];
+  assign \$177  = \$176  + reached_0_2[6];
+  assign \$178  = \$175  + \$177 ;
+  assign \$179  = reached_0_3[0] + reached_0_3[1];
+  assign \$180  = reached_0_3[2] + reached_0_3[3];
+  assign \$181  = \$179  + \$180 ;
+  assign \$182  = reached_0_3[4] + reached_0_3[5];
+  assign \$183  = \$182  + reached_0_3[6];
+  assign \$184  = \$181  + \$183 ;
+  assign \$185  = reached_1_0[0] + reached_1_0[1];
+  assign \$186  = reached_1_0[2] + reached_1_0[3];
+  assign \$187  = \$185  + \$186 ;
+  assign \$188  = reached_1_0[4] + reached_1_0[5];
+  assign \$189  = \$188  + reached_1_0[6];
+  assign \$190  = \$187  + \$189 ;
+  assign \$191  = reached_1_1[0] + reached_1_1[1];
+  assign \$192  = reached_1_1[2] + reached_1_1[3];
+  assign \$193  = \$191  + \$192 ;
+  assign \$194  = reached_1_1[4] + reached_1_1[5];
+  assign \$195  = \$194  + reached_1_1[6];
+  assign \$196  = \$193  + \$195 ;
+  assign \$197  = reached_1_2[0] + reached_1_2[1];
+  assign \$198  = reached_1_2[2] + reached_1_2[3];
+  assign \$199  = \$197  + \$198 ;
+  assign \$200  = reached_1_2[4] + reached_1_2[5];
+  assign \$201  = \$200  + reached_1_2[6];
+  assign \$202  = \$199  + \$201 ;
+  assign \$203  = reached_1_3[0] + reached_1_3[1];
+  assign \$204  = reached_1_3[2] + reached_1_3[3];
+  assign \$205  = \$203  + \$204 ;
+  assign \$206  = reached_1_3[4] + reached_1_3[5];
+  assign \$207  = \$206  + reached_1_3[6];
+  assign \$208  = \$205  + \$207 ;
+  assign \$209  = reached_2_0[0] + reached_2_0[1];
+  assign \$210  = reached_2_0[2] + reached_2_0[3];
+  assign \$211  = \$209  + \$210 ;
+  assign \$212  = reached_2_0[4] + reached_2_0[5];
+  assign \$213  = \$212  + reached_2_0[6];
+  assign \$214  = \$211  + \$213 ;
+  assign \$215  = reached_2_1[0] + reached_2_1[1];
+  assign \$216  = reached_2_1[2] + reached_2_1[3];
+  assign \$217  = \$215  + \$216 ;
+  assign \$218  = reached_2_1[4] + reached_2_1[5];
+  assign \$219  = \$218  + reached_2_1[6];
+  assign \$220  = \$217  + \$219 ;
+  assign \$221  = reached_2_2[0] + reached_2_2[1];
+  assign \$222  = reached_2_2[2] + reached_2_2[3];
+  assign \$223  = \$221  + \$222 ;
+  assign \$224  = reached_2_2[4] + reached_2_2[5];
+  assign \$225  = \$224  + reached_2_2[6];
+  assign \$226  = \$223  + \$225 ;
+  assign \$227  = reached_2_3[0] + reached_2_3[1];
+  assign \$228  = reached_2_3[2] + reached_2_3[3];
+  assign \$229  = \$227  + \$228 ;
+  assign \$230  = reached_2_3[4] + reached_2_3[5];
+  assign \$231  = \$230  + reached_2_3[6];
+  assign \$232  = \$229  + \$231 ;
+  assign \$233  = reached_3_0[0] + reached_3_0[1];
+  assign \$234  = reached_3_0[2] + reached_3_0[3];
+  assign \$235  = \$233  + \$234 ;
+  assign \$236  = reached_3_0[4] + reached_3_0[5];
+  assign \$237  = \$236  + reached_3_0[6];
+  assign \$238  = \$235  + \$237 ;
+  assign \$239  = reached_3_1[0] + reached_3_1[1];
+  assign \$240  = reached_3_1[2] + reached_3_1[3];
+  assign \$241  = \$239  + \$240 ;
+  assign \$242  = reached_3_1[4] + reached_3_1[5];
+  assign \$243  = \$242  + reached_3_1[6];
+  assign \$244  = \$241  + \$243 ;
+  assign \$245  = reached_3_2[0] + reached_3_2[1];
+  assign \$246  = reached_3_2[2] + reached_3_2[3];
+  assign \$247  = \$245  + \$246 ;
+  assign \$248  = reached_3_2[4] + reached_3_2[5];
+  assign \$249  = \$248  + reached_3_2[6];
+  assign \$250  = \$247  + \$249 ;
+  assign \$251  = reached_3_3[0] + reached_3_3[1];
+  assign \$252  = reached_3_3[2] + reached_3_3[3];
+  assign \$253  = \$251  + \$252 ;
+  assign \$254  = reached_3_3[4] + reached_3_3[5];
+  assign \$255  = \$254  + reached_3_3[6];
+  assign \$256  = \$253  + \$255 ;
+  always @(posedge clk)
+    parameters <= \parameters$3 ;
+  always @(posedge clk)
+    whole_0_0 <= \$2 [18:0];
   always @(posedge clk)
     invert_0_0 <= parameters[133];
   always @(posedge clk)
-    reached_0_0 <= \$225 ;
+    reached_0_0 <= \$257 ;
   always @(posedge clk)
-    codes <= \$226 ;
+    codes <= \$258 ;
+  always @(posedge clk)
+    whole_0_1 <= \$12 [18:0];
   always @(posedge clk)
     invert_0_1 <= parameters[133];
   always @(posedge clk)
-    reached_0_1 <= \$227 ;
+    reached_0_1 <= \$259 ;
+  always @(posedge clk)
+    whole_0_2 <= \$22 [18:0];
   always @(posedge clk)
     invert_0_2 <= parameters[133];
   always @(posedge clk)
-    reached_0_2 <= \$228 ;
+    reached_0_2 <= \$260 ;
+  always @(posedge clk)
+    whole_0_3 <= \$32 [18:0];
   always @(posedge clk)
     invert_0_3 <= parameters[133];
   always @(posedge clk)
-    reached_0_3 <= \$229 ;
+    reached_0_3 <= \$261 ;
   always @(posedge clk)
-    invert_1_0 <= parameters[267];
+    whole_1_0 <= \$42 [18:0];
   always @(posedge clk)
-    reached_1_0 <= \$230 ;
+    invert_1_0 <= parameters[301];
   always @(posedge clk)
-    invert_1_1 <= parameters[267];
+    reached_1_0 <= \$262 ;
   always @(posedge clk)
-    reached_1_1 <= \$231 ;
+    whole_1_1 <= \$52 [18:0];
   always @(posedge clk)
-    invert_1_2 <= parameters[267];
+    invert_1_1 <= parameters[301];
   always @(posedge clk)
-    reached_1_2 <= \$232 ;
+    reached_1_1 <= \$263 ;
   always @(posedge clk)
-    invert_1_3 <= parameters[267];
+    whole_1_2 <= \$62 [18:0];
   always @(posedge clk)
-    reached_1_3 <= \$233 ;
+    invert_1_2 <= parameters[301];
   always @(posedge clk)
-    invert_2_0 <= parameters[401];
+    reached_1_2 <= \$264 ;
   always @(posedge clk)
-    reached_2_0 <= \$234 ;
+    whole_1_3 <= \$72 [18:0];
   always @(posedge clk)
-    invert_2_1 <= parameters[401];
+    invert_1_3 <= parameters[301];
   always @(posedge clk)
-    reached_2_1 <= \$235 ;
+    reached_1_3 <= \$265 ;
   always @(posedge clk)
-    invert_2_2 <= parameters[401];
+    whole_2_0 <= \$82 [18:0];
   always @(posedge clk)
-    reached_2_2 <= \$236 ;
+    invert_2_0 <= parameters[469];
   always @(posedge clk)
-    invert_2_3 <= parameters[401];
+    reached_2_0 <= \$266 ;
   always @(posedge clk)
-    reached_2_3 <= \$237 ;
+    whole_2_1 <= \$92 [18:0];
   always @(posedge clk)
-    invert_3_0 <= parameters[535];
+    invert_2_1 <= parameters[469];
   always @(posedge clk)
-    reached_3_0 <= \$238 ;
+    reached_2_1 <= \$267 ;
   always @(posedge clk)
-    invert_3_1 <= parameters[535];
+    whole_2_2 <= \$102 [18:0];
   always @(posedge clk)
-    reached_3_1 <= \$239 ;
+    invert_2_2 <= parameters[469];
   always @(posedge clk)
-    invert_3_2 <= parameters[535];
+    reached_2_2 <= \$268 ;
   always @(posedge clk)
-    reached_3_2 <= \$240 ;
+    whole_2_3 <= \$112 [18:0];
   always @(posedge clk)
-    invert_3_3 <= parameters[535];
+    invert_2_3 <= parameters[469];
   always @(posedge clk)
-    reached_3_3 <= \$241 ;
+    reached_2_3 <= \$269 ;
+  always @(posedge clk)
+    whole_3_0 <= \$122 [18:0];
+  always @(posedge clk)
+    invert_3_0 <= parameters[637];
+  always @(posedge clk)
+    reached_3_0 <= \$270 ;
+  always @(posedge clk)
+    whole_3_1 <= \$132 [18:0];
+  always @(posedge clk)
+    invert_3_1 <= parameters[637];
+  always @(posedge clk)
+    reached_3_1 <= \$271 ;
+  always @(posedge clk)
+    whole_3_2 <= \$142 [18:0];
+  always @(posedge clk)
+    invert_3_2 <= parameters[637];
+  always @(posedge clk)
+    reached_3_2 <= \$272 ;
+  always @(posedge clk)
+    whole_3_3 <= \$152 [18:0];
+  always @(posedge clk)
+    invert_3_3 <= parameters[637];
+  always @(posedge clk)
+    reached_3_3 <= \$273 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$4 ) begin end
-    \$226 [2:0] = \$8 ;
-    \$226 [14:12] = \$16 ;
-    \$226 [26:24] = \$24 ;
-    \$226 [38:36] = \$32 ;
-    \$226 [5:3] = \$40 ;
-    \$226 [17:15] = \$48 ;
-    \$226 [29:27] = \$56 ;
-    \$226 [41:39] = \$64 ;
-    \$226 [8:6] = \$72 ;
-    \$226 [20:18] = \$80 ;
-    \$226 [32:30] = \$88 ;
-    \$226 [44:42] = \$96 ;
-    \$226 [11:9] = \$104 ;
-    \$226 [23:21] = \$112 ;
-    \$226 [35:33] = \$120 ;
-    \$226 [47:45] = \$128 ;
+    \$258 [2:0] = \$10 ;
+    \$258 [14:12] = \$20 ;
+    \$258 [26:24] = \$30 ;
+    \$258 [38:36] = \$40 ;
+    \$258 [5:3] = \$50 ;
+    \$258 [17:15] = \$60 ;
+    \$258 [29:27] = \$70 ;
+    \$258 [41:39] = \$80 ;
+    \$258 [8:6] = \$90 ;
+    \$258 [20:18] = \$100 ;
+    \$258 [32:30] = \$110 ;
+    \$258 [44:42] = \$120 ;
+    \$258 [11:9] = \$130 ;
+    \$258 [23:21] = \$140 ;
+    \$258 [35:33] = \$150 ;
+    \$258 [47:45] = \$160 ;
     if (soft_reset) begin
-      \$226  = 48'h000000000000;
+      \$258  = 48'h000000000000;
     end
     if (rst) begin
-      \$226  = 48'h000000000000;
+      \$258  = 48'h000000000000;
     end
   end
-  assign number_0_0 = \$134 [2:0];
-  assign number_0_1 = \$140 [2:0];
-  assign number_0_2 = \$146 [2:0];
-  assign number_0_3 = \$152 [2:0];
-  assign number_1_0 = \$158 [2:0];
-  assign number_1_1 = \$164 [2:0];
-  assign number_1_2 = \$170 [2:0];
-  assign number_1_3 = \$176 [2:0];
-  assign number_2_0 = \$182 [2:0];
-  assign number_2_1 = \$188 [2:0];
-  assign number_2_2 = \$194 [2:0];
-  assign number_2_3 = \$200 [2:0];
-  assign number_3_0 = \$206 [2:0];
-  assign number_3_1 = \$212 [2:0];
-  assign number_3_2 = \$218 [2:0];
-  assign number_3_3 = \$224 [2:0];
+  assign number_0_0 = \$166 [2:0];
+  assign number_0_1 = \$172 [2:0];
+  assign number_0_2 = \$178 [2:0];
+  assign number_0_3 = \$184 [2:0];
+  assign number_1_0 = \$190 [2:0];
+  assign number_1_1 = \$196 [2:0];
+  assign number_1_2 = \$202 [2:0];
+  assign number_1_3 = \$208 [2:0];
+  assign number_2_0 = \$214 [2:0];
+  assign number_2_1 = \$220 [2:0];
+  assign number_2_2 = \$226 [2:0];
+  assign number_2_3 = \$232 [2:0];
+  assign number_3_0 = \$238 [2:0];
+  assign number_3_1 = \$244 [2:0];
+  assign number_3_2 = \$250 [2:0];
+  assign number_3_3 = \$256 [2:0];
   assign \accumulators[0]  = accumulators[75:0];
   assign \accumulators[0][0]  = accumulators[18:0];
   assign \accumulators[0][1]  = accumulators[37:19];
@@ -7009,118 +7549,126 @@ module \macram_top.array.drain.requant (rst, parameters, soft_reset, accumulator
   assign \accumulators[3][1]  = accumulators[265:247];
   assign \accumulators[3][2]  = accumulators[284:266];
   assign \accumulators[3][3]  = accumulators[303:285];
-  assign \$241 [6] = \$127 ;
-  assign \$241 [5] = \$126 ;
-  assign \$241 [4] = \$125 ;
-  assign \$241 [3] = \$124 ;
-  assign \$241 [2] = \$123 ;
-  assign \$241 [1] = \$122 ;
-  assign \$241 [0] = \$121 ;
-  assign \$240 [6] = \$119 ;
-  assign \$240 [5] = \$118 ;
-  assign \$240 [4] = \$117 ;
-  assign \$240 [3] = \$116 ;
-  assign \$240 [2] = \$115 ;
-  assign \$240 [1] = \$114 ;
-  assign \$240 [0] = \$113 ;
-  assign \$239 [6] = \$111 ;
-  assign \$239 [5] = \$110 ;
-  assign \$239 [4] = \$109 ;
-  assign \$239 [3] = \$108 ;
-  assign \$239 [2] = \$107 ;
-  assign \$239 [1] = \$106 ;
-  assign \$239 [0] = \$105 ;
-  assign \$238 [6] = \$103 ;
-  assign \$238 [5] = \$102 ;
-  assign \$238 [4] = \$101 ;
-  assign \$238 [3] = \$100 ;
-  assign \$238 [2] = \$99 ;
-  assign \$238 [1] = \$98 ;
-  assign \$238 [0] = \$97 ;
-  assign \$237 [6] = \$95 ;
-  assign \$237 [5] = \$94 ;
-  assign \$237 [4] = \$93 ;
-  assign \$237 [3] = \$92 ;
-  assign \$237 [2] = \$91 ;
-  assign \$237 [1] = \$90 ;
-  assign \$237 [0] = \$89 ;
-  assign \$236 [6] = \$87 ;
-  assign \$236 [5] = \$86 ;
-  assign \$236 [4] = \$85 ;
-  assign \$236 [3] = \$84 ;
-  assign \$236 [2] = \$83 ;
-  assign \$236 [1] = \$82 ;
-  assign \$236 [0] = \$81 ;
-  assign \$235 [6] = \$79 ;
-  assign \$235 [5] = \$78 ;
-  assign \$235 [4] = \$77 ;
-  assign \$235 [3] = \$76 ;
-  assign \$235 [2] = \$75 ;
-  assign \$235 [1] = \$74 ;
-  assign \$235 [0] = \$73 ;
-  assign \$234 [6] = \$71 ;
-  assign \$234 [5] = \$70 ;
-  assign \$234 [4] = \$69 ;
-  assign \$234 [3] = \$68 ;
-  assign \$234 [2] = \$67 ;
-  assign \$234 [1] = \$66 ;
-  assign \$234 [0] = \$65 ;
-  assign \$233 [6] = \$63 ;
-  assign \$233 [5] = \$62 ;
-  assign \$233 [4] = \$61 ;
-  assign \$233 [3] = \$60 ;
-  assign \$233 [2] = \$59 ;
-  assign \$233 [1] = \$58 ;
-  assign \$233 [0] = \$57 ;
-  assign \$232 [6] = \$55 ;
-  assign \$232 [5] = \$54 ;
-  assign \$232 [4] = \$53 ;
-  assign \$232 [3] = \$52 ;
-  assign \$232 [2] = \$51 ;
-  assign \$232 [1] = \$50 ;
-  assign \$232 [0] = \$49 ;
-  assign \$231 [6] = \$47 ;
-  assign \$231 [5] = \$46 ;
-  assign \$231 [4] = \$45 ;
-  assign \$231 [3] = \$44 ;
-  assign \$231 [2] = \$43 ;
-  assign \$231 [1] = \$42 ;
-  assign \$231 [0] = \$41 ;
-  assign \$230 [6] = \$39 ;
-  assign \$230 [5] = \$38 ;
-  assign \$230 [4] = \$37 ;
-  assign \$230 [3] = \$36 ;
-  assign \$230 [2] = \$35 ;
-  assign \$230 [1] = \$34 ;
-  assign \$230 [0] = \$33 ;
-  assign \$229 [6] = \$31 ;
-  assign \$229 [5] = \$30 ;
-  assign \$229 [4] = \$29 ;
-  assign \$229 [3] = \$28 ;
-  assign \$229 [2] = \$27 ;
-  assign \$229 [1] = \$26 ;
-  assign \$229 [0] = \$25 ;
-  assign \$228 [6] = \$23 ;
-  assign \$228 [5] = \$22 ;
-  assign \$228 [4] = \$21 ;
-  assign \$228 [3] = \$20 ;
-  assign \$228 [2] = \$19 ;
-  assign \$228 [1] = \$18 ;
-  assign \$228 [0] = \$17 ;
-  assign \$227 [6] = \$15 ;
-  assign \$227 [5] = \$14 ;
-  assign \$227 [4] = \$13 ;
-  assign \$227 [3] = \$12 ;
-  assign \$227 [2] = \$11 ;
-  assign \$227 [1] = \$10 ;
-  assign \$227 [0] = \$9 ;
-  assign \$225 [6] = \$7 ;
-  assign \$225 [5] = \$6 ;
-  assign \$225 [4] = \$5 ;
-  assign \$225 [3] = \$4 ;
-  assign \$225 [2] = \$3 ;
-  assign \$225 [1] = \$2 ;
-  assign \$225 [0] = \$1 ;
+  assign \$273 [6] = \$159 ;
+  assign \$273 [5] = \$158 ;
+  assign \$273 [4] = \$157 ;
+  assign \$273 [3] = \$156 ;
+  assign \$273 [2] = \$155 ;
+  assign \$273 [1] = \$154 ;
+  assign \$273 [0] = \$153 ;
+  assign \$272 [6] = \$149 ;
+  assign \$272 [5] = \$148 ;
+  assign \$272 [4] = \$147 ;
+  assign \$272 [3] = \$146 ;
+  assign \$272 [2] = \$145 ;
+  assign \$272 [1] = \$144 ;
+  assign \$272 [0] = \$143 ;
+  assign \$271 [6] = \$139 ;
+  assign \$271 [5] = \$138 ;
+  assign \$271 [4] = \$137 ;
+  assign \$271 [3] = \$136 ;
+  assign \$271 [2] = \$135 ;
+  assign \$271 [1] = \$134 ;
+  assign \$271 [0] = \$133 ;
+  assign \$270 [6] = \$129 ;
+  assign \$270 [5] = \$128 ;
+  assign \$270 [4] = \$127 ;
+  assign \$270 [3] = \$126 ;
+  assign \$270 [2] = \$125 ;
+  assign \$270 [1] = \$124 ;
+  assign \$270 [0] = \$123 ;
+  assign \$269 [6] = \$119 ;
+  assign \$269 [5] = \$118 ;
+  assign \$269 [4] = \$117 ;
+  assign \$269 [3] = \$116 ;
+  assign \$269 [2] = \$115 ;
+  assign \$269 [1] = \$114 ;
+  assign \$269 [0] = \$113 ;
+  assign \$268 [6] = \$109 ;
+  assign \$268 [5] = \$108 ;
+  assign \$268 [4] = \$107 ;
+  assign \$268 [3] = \$106 ;
+  assign \$268 [2] = \$105 ;
+  assign \$268 [1] = \$104 ;
+  assign \$268 [0] = \$103 ;
+  assign \$267 [6] = \$99 ;
+  assign \$267 [5] = \$98 ;
+  assign \$267 [4] = \$97 ;
+  assign \$267 [3] = \$96 ;
+  assign \$267 [2] = \$95 ;
+  assign \$267 [1] = \$94 ;
+  assign \$267 [0] = \$93 ;
+  assign \$266 [6] = \$89 ;
+  assign \$266 [5] = \$88 ;
+  assign \$266 [4] = \$87 ;
+  assign \$266 [3] = \$86 ;
+  assign \$266 [2] = \$85 ;
+  assign \$266 [1] = \$84 ;
+  assign \$266 [0] = \$83 ;
+  assign \$265 [6] = \$79 ;
+  assign \$265 [5] = \$78 ;
+  assign \$265 [4] = \$77 ;
+  assign \$265 [3] = \$76 ;
+  assign \$265 [2] = \$75 ;
+  assign \$265 [1] = \$74 ;
+  assign \$265 [0] = \$73 ;
+  assign \$264 [6] = \$69 ;
+  assign \$264 [5] = \$68 ;
+  assign \$264 [4] = \$67 ;
+  assign \$264 [3] = \$66 ;
+  assign \$264 [2] = \$65 ;
+  assign \$264 [1] = \$64 ;
+  assign \$264 [0] = \$63 ;
+  assign \$263 [6] = \$59 ;
+  assign \$263 [5] = \$58 ;
+  assign \$263 [4] = \$57 ;
+  assign \$263 [3] = \$56 ;
+  assign \$263 [2] = \$55 ;
+  assign \$263 [1] = \$54 ;
+  assign \$263 [0] = \$53 ;
+  assign \$262 [6] = \$49 ;
+  assign \$262 [5] = \$48 ;
+  assign \$262 [4] = \$47 ;
+  assign \$262 [3] = \$46 ;
+  assign \$262 [2] = \$45 ;
+  assign \$262 [1] = \$44 ;
+  assign \$262 [0] = \$43 ;
+  assign \$261 [6] = \$39 ;
+  assign \$261 [5] = \$38 ;
+  assign \$261 [4] = \$37 ;
+  assign \$261 [3] = \$36 ;
+  assign \$261 [2] = \$35 ;
+  assign \$261 [1] = \$34 ;
+  assign \$261 [0] = \$33 ;
+  assign \$260 [6] = \$29 ;
+  assign \$260 [5] = \$28 ;
+  assign \$260 [4] = \$27 ;
+  assign \$260 [3] = \$26 ;
+  assign \$260 [2] = \$25 ;
+  assign \$260 [1] = \$24 ;
+  assign \$260 [0] = \$23 ;
+  assign \$259 [6] = \$19 ;
+  assign \$259 [5] = \$18 ;
+  assign \$259 [4] = \$17 ;
+  assign \$259 [3] = \$16 ;
+  assign \$259 [2] = \$15 ;
+  assign \$259 [1] = \$14 ;
+  assign \$259 [0] = \$13 ;
+  assign \$257 [6] = \$9 ;
+  assign \$257 [5] = \$8 ;
+  assign \$257 [4] = \$7 ;
+  assign \$257 [3] = \$6 ;
+  assign \$257 [2] = \$5 ;
+  assign \$257 [1] = \$4 ;
+  assign \$257 [0] = \$3 ;
+  assign \$21  = 1'h0;
+  assign \$31  = 1'h0;
+  assign \$61  = 1'h0;
+  assign \$71  = 1'h0;
+  assign \$101  = 1'h0;
+  assign \$111  = 1'h0;
+  assign \$141  = 1'h0;
+  assign \$151  = 1'h0;
 endmodule
 
 module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, beats_per_pixel, i__payload, i__valid, o__payload, clk);
@@ -7298,7 +7846,7 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   assign \$15  = { 64'h0000000000000000, buffer[111:64] };
 endmodule
 
-module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, shape, clk);
+module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, shape, open, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$6  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -7330,6 +7878,7 @@ module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault,
   (* enum_value_011 = "TLAST_EARLY" *)
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
+  (* enum_value_110 = "BAD_RANGE" *)
   output [2:0] error;
   wire [2:0] error;
   output fault;
@@ -7342,24 +7891,30 @@ module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault,
   wire i__ready;
   input i__valid;
   wire i__valid;
-  reg is_open = 1'h0;
   wire [63:0] o__payload;
   input o__ready;
   wire o__ready;
   output o__valid;
   wire o__valid;
+  output open;
+  reg open = 1'h0;
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
-  input [132:0] shape;
-  wire [132:0] shape;
+  input [166:0] shape;
+  wire [166:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire \shape.biased ;
   wire [13:0] \shape.blocks ;
+  wire [14:0] \shape.column_words ;
   wire [14:0] \shape.groups ;
+  wire \shape.halved ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
+  wire [15:0] \shape.out_height ;
   wire [11:0] \shape.output_words ;
+  wire \shape.pointwise ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
@@ -7367,11 +7922,11 @@ module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault,
   wire soft_reset;
   input start;
   wire start;
-  assign o__valid = i__valid & is_open;
-  assign i__ready = o__ready & is_open;
+  assign o__valid = i__valid & open;
+  assign i__ready = o__ready & open;
   assign \$signal  = i__valid & i__ready;
   assign \$1  = \$signal$9  + 1'h1;
-  assign \$signal$8  = \$1  == shape[116:101];
+  assign \$signal$8  = \$1  == shape[147:132];
   assign \$2  = \$signal$12  + 1'h1;
   assign \$3  = \$2  == shape[31:16];
   assign \$signal$11  = \$signal$8  & \$3 ;
@@ -7393,7 +7948,7 @@ module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault,
   always @(posedge clk)
     row <= \$14 ;
   always @(posedge clk)
-    is_open <= \$15 ;
+    open <= \$15 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$6 ) begin end
     \$12  = \$signal$9 ;
@@ -7448,7 +8003,7 @@ module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$6 ) begin end
-    \$15  = is_open;
+    \$15  = open;
     if (\$signal ) begin
       if (\$signal$13 ) begin
         \$15  = 1'h0;
@@ -7469,17 +8024,22 @@ module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault,
   assign \i__payload.last  = i__payload[64];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[46:32];
-  assign \shape.tail  = shape[48:47];
-  assign \shape.blocks  = shape[62:49];
-  assign \shape.ingest_words  = shape[76:63];
-  assign \shape.tiles  = shape[88:77];
-  assign \shape.output_words  = shape[100:89];
-  assign \shape.beats_in  = shape[116:101];
-  assign \shape.beats_out  = shape[132:117];
+  assign \shape.out_height  = shape[47:32];
+  assign \shape.groups  = shape[62:48];
+  assign \shape.tail  = shape[64:63];
+  assign \shape.blocks  = shape[78:65];
+  assign \shape.ingest_words  = shape[92:79];
+  assign \shape.column_words  = shape[107:93];
+  assign \shape.tiles  = shape[119:108];
+  assign \shape.output_words  = shape[131:120];
+  assign \shape.beats_in  = shape[147:132];
+  assign \shape.beats_out  = shape[163:148];
+  assign \shape.pointwise  = shape[164];
+  assign \shape.halved  = shape[165];
+  assign \shape.biased  = shape[166];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1096$63 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1255$79 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -7530,8 +8090,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1096$63 ;
-  wire [13:0] \port$1096$63 ;
+  input [13:0] \port$1255$79 ;
+  wire [13:0] \port$1255$79 ;
   wire put;
   input rst;
   wire rst;
@@ -7544,7 +8104,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   assign o__valid = \$1  | \$2 ;
   assign \$signal$6  = o__valid & o__ready;
   assign \$3  = words_out + 1'h1;
-  assign \$4  = \$3  == \port$1096$63 ;
+  assign \$4  = \$3  == \port$1255$79 ;
   assign \$signal$8  = \$signal$6  & \$4 ;
   assign beats_after = \$signal$8  ? 16'h0000 : \$signal ;
   assign \$5  = level >= 6'h30;
@@ -7617,60 +8177,80 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
       \$26  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1096$63  };
+  assign words_per_pixel = { 2'h0, \port$1255$79  };
   assign \$like  = \$9 [6:0];
   assign o__payload = buffer[47:0];
   assign \$12  = { 48'h000000000000, buffer[111:48] };
 endmodule
 
-module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_reset, shape, i__payload, group_written, image_written, word, read, clk);
+module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shape, i__payload, group_written, image_written, word, retire, retire_row, read, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$8  = 0;
   wire \$1 ;
-  wire [3:0] \$10 ;
-  wire [14:0] \$11 ;
-  wire [3:0] \$12 ;
+  wire \$10 ;
+  wire \$11 ;
+  wire \$12 ;
   wire [14:0] \$13 ;
-  wire [14:0] \$14 ;
-  wire [16:0] \$15 ;
-  wire [16:0] \$16 ;
-  wire [14:0] \$17 ;
-  wire [14:0] \$18 ;
-  wire [16:0] \$19 ;
+  wire [15:0] \$14 ;
+  wire [3:0] \$15 ;
+  wire [14:0] \$16 ;
+  wire [15:0] \$17 ;
+  wire [3:0] \$18 ;
+  wire [14:0] \$19 ;
   wire \$2 ;
-  wire [16:0] \$20 ;
-  wire \$21 ;
-  wire [2:0] \$22 ;
-  wire [3:0] \$23 ;
-  wire [23:0] \$24 ;
-  wire [23:0] \$25 ;
-  wire [23:0] \$26 ;
-  wire [23:0] \$27 ;
-  reg \$28 ;
-  reg [13:0] \$29 ;
-  wire [14:0] \$3 ;
-  reg [15:0] \$30 ;
-  reg [8:0] \$31 ;
-  reg [15:0] \$32 ;
-  reg \$33 ;
-  reg [1:0] \$34 ;
-  reg \$35 ;
-  reg [3:0] \$36 ;
-  reg [95:0] \$37 ;
-  wire \$4 ;
-  wire [16:0] \$5 ;
-  wire \$6 ;
+  wire [14:0] \$20 ;
+  wire [16:0] \$21 ;
+  wire [16:0] \$22 ;
+  wire [15:0] \$23 ;
+  wire [15:0] \$24 ;
+  wire [16:0] \$25 ;
+  wire [16:0] \$26 ;
+  wire \$27 ;
+  wire [11:0] \$28 ;
+  wire [12:0] \$29 ;
+  wire \$3 ;
+  wire [14:0] \$30 ;
+  wire [16:0] \$31 ;
+  wire [2:0] \$32 ;
+  wire [17:0] \$33 ;
+  wire [23:0] \$34 ;
+  wire [23:0] \$35 ;
+  wire [23:0] \$36 ;
+  wire [23:0] \$37 ;
+  wire [23:0] \$38 ;
+  wire [23:0] \$39 ;
+  wire [14:0] \$4 ;
+  wire [23:0] \$40 ;
+  wire [23:0] \$41 ;
+  wire [23:0] \$42 ;
+  wire [23:0] \$43 ;
+  wire [23:0] \$44 ;
+  wire [23:0] \$45 ;
+  reg \$46 ;
+  reg [13:0] \$47 ;
+  reg [15:0] \$48 ;
+  reg [8:0] \$49 ;
+  wire \$5 ;
+  reg [15:0] \$50 ;
+  reg \$51 ;
+  reg [10:0] \$52 ;
+  reg \$53 ;
+  reg [3:0] \$54 ;
+  reg [95:0] \$55 ;
+  wire [16:0] \$6 ;
   wire \$7 ;
   wire \$8 ;
-  wire [14:0] \$9 ;
+  wire \$9 ;
   reg \$like  = 1'h0;
-  wire \$signal ;
-  wire \$signal$10 ;
-  wire \$signal$5 ;
-  reg [13:0] \$signal$6  = 14'h0000;
-  wire \$signal$8 ;
-  reg [15:0] \$signal$9  = 16'h0000;
+  wire [1:0] \$signal ;
+  reg [13:0] \$signal$10  = 14'h0000;
+  wire \$signal$11 ;
+  wire \$signal$12 ;
+  reg [15:0] \$signal$2  = 16'h0000;
+  wire \$signal$7 ;
+  wire \$signal$9 ;
   input clk;
   wire clk;
+  reg [10:0] free = 11'h000;
   reg [8:0] group_base = 9'h000;
   output group_written;
   reg group_written = 1'h0;
@@ -7683,6 +8263,7 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
   output image_written;
   reg image_written = 1'h1;
   reg [3:0] mask = 4'h0;
+  wire [13:0] odd_words;
   reg [95:0] picked;
   input [14:0] read;
   wire [14:0] read;
@@ -7691,24 +8272,30 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
   wire [3:0] \read.mask ;
   wire [1:0] \read.slot ;
   wire [9:0] read__addr;
-  wire [9:0] \read__addr$22 ;
+  wire [9:0] \read__addr$24 ;
   wire [95:0] read__data;
-  wire [95:0] \read__data$26 ;
+  wire [95:0] \read__data$28 ;
   input retire;
   wire retire;
+  input retire_row;
+  wire retire_row;
   reg [15:0] row = 16'h0000;
-  reg [1:0] rows_free = 2'h0;
   input rst;
   wire rst;
-  input [132:0] shape;
-  wire [132:0] shape;
+  input [166:0] shape;
+  wire [166:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire \shape.biased ;
   wire [13:0] \shape.blocks ;
+  wire [14:0] \shape.column_words ;
   wire [14:0] \shape.groups ;
+  wire \shape.halved ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
+  wire [15:0] \shape.out_height ;
   wire [11:0] \shape.output_words ;
+  wire \shape.pointwise ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
@@ -7719,65 +8306,85 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
   output [95:0] word;
   reg [95:0] word = 96'h000000000000000000000000;
   wire [9:0] write__addr;
-  wire [9:0] \write__addr$19 ;
+  wire [9:0] \write__addr$21 ;
   wire [95:0] write__data;
-  wire [95:0] \write__data$20 ;
+  wire [95:0] \write__data$22 ;
   wire [3:0] write__en;
-  wire [3:0] \write__en$21 ;
-  assign \$1  = | rows_free;
-  assign \$2  = ~ image_written;
-  assign i__ready = \$1  & \$2 ;
-  assign \$signal  = i__valid & i__ready;
-  assign \$3  = \$signal$6  + 1'h1;
-  assign \$4  = \$3  == shape[76:63];
-  assign \$signal$5  = \$signal  & \$4 ;
-  assign \$5  = \$signal$9  + 1'h1;
-  assign \$6  = \$5  == shape[31:16];
-  assign \$signal$8  = \$signal$5  & \$6 ;
-  assign \$7  = & \$signal$9 [1:0];
-  assign \$8  = \$signal$5  & \$7 ;
-  assign \$signal$10  = \$signal$8  | \$8 ;
-  assign \$9  = group_base + \$signal$6 ;
-  assign \$10  = 1'h1 << \$signal$9 [1:0];
-  assign write__en = \$signal  ? \$10  : 4'h0;
-  assign \$11  = group_base + \$signal$6 ;
-  assign \$12  = 1'h1 << \$signal$9 [1:0];
-  assign \write__en$21  = \$signal  ? \$12  : 4'h0;
-  assign \$13  = \$signal$6  + 1'h1;
-  assign \$14  = \$signal$5  ? 15'h0000 : \$13 ;
-  assign \$15  = \$signal$9  + 1'h1;
-  assign \$16  = \$signal$8  ? 17'h00000 : \$15 ;
-  assign \$17  = group_base + shape[76:63];
-  assign \$18  = \$signal$8  ? 15'h0000 : \$17 ;
-  assign \$19  = row + 1'h1;
-  assign \$20  = row + 1'h1;
-  assign \$21  = \$20  == shape[15:0];
-  assign \$22  = rows_free - \$signal$8 ;
-  assign \$23  = $signed(\$22 ) + $signed({ 1'h0, retire });
-  assign \$24  = mask[0] ? picked[23:0] : 24'h000000;
-  assign \$25  = mask[1] ? picked[47:24] : 24'h000000;
-  assign \$26  = mask[2] ? picked[71:48] : 24'h000000;
-  assign \$27  = mask[3] ? picked[95:72] : 24'h000000;
+  wire [3:0] \write__en$23 ;
+  assign \$36  = \$34  ^ \$35 ;
+  assign \$37  = mask[1] ? picked[47:24] : 24'h000000;
+  assign \$38  = shape[166] ? 24'h924924 : 24'h000000;
+  assign \$39  = \$37  ^ \$38 ;
+  assign \$40  = mask[2] ? picked[71:48] : 24'h000000;
+  assign \$41  = shape[166] ? 24'h924924 : 24'h000000;
+  assign \$42  = \$40  ^ \$41 ;
+  assign \$43  = mask[3] ? picked[95:72] : 24'h000000;
+  assign \$44  = shape[166] ? 24'h924924 : 24'h000000;
+  assign \$45  = \$43  ^ \$44 ;
   always @(posedge clk)
-    group_written <= \$28 ;
+    group_written <= \$46 ;
   always @(posedge clk)
-    \$signal$6  <= \$29 ;
+    \$signal$10  <= \$47 ;
   always @(posedge clk)
-    \$signal$9  <= \$30 ;
+    \$signal$2  <= \$48 ;
   always @(posedge clk)
-    group_base <= \$31 ;
+    group_base <= \$49 ;
   always @(posedge clk)
-    row <= \$32 ;
+    row <= \$50 ;
   always @(posedge clk)
-    image_written <= \$33 ;
+    image_written <= \$51 ;
   always @(posedge clk)
-    rows_free <= \$34 ;
+    free <= \$52 ;
   always @(posedge clk)
-    \$like  <= \$35 ;
+    \$like  <= \$53 ;
   always @(posedge clk)
-    mask <= \$36 ;
+    mask <= \$54 ;
   always @(posedge clk)
-    word <= \$37 ;
+    word <= \$55 ;
+  assign \$signal  = shape[165] ? \$signal$2 [2:1] : \$signal$2 [1:0];
+  assign \$1  = shape[165] & \$signal$2 [0];
+  assign odd_words = \$1  ? shape[92:79] : 14'h0000;
+  assign \$2  = | free;
+  assign \$3  = ~ image_written;
+  assign i__ready = \$2  & \$3 ;
+  assign \$signal$7  = i__valid & i__ready;
+  assign \$4  = \$signal$10  + 1'h1;
+  assign \$5  = \$4  == shape[92:79];
+  assign \$signal$9  = \$signal$7  & \$5 ;
+  assign \$6  = \$signal$2  + 1'h1;
+  assign \$7  = \$6  == shape[31:16];
+  assign \$signal$11  = \$signal$9  & \$7 ;
+  assign \$8  = & \$signal ;
+  assign \$9  = \$signal$9  & \$8 ;
+  assign \$10  = ~ shape[165];
+  assign \$11  = \$signal$2 [0] | \$10 ;
+  assign \$12  = \$9  & \$11 ;
+  assign \$signal$12  = \$signal$11  | \$12 ;
+  assign \$13  = group_base + odd_words;
+  assign \$14  = \$13  + \$signal$10 ;
+  assign \$15  = 1'h1 << \$signal ;
+  assign write__en = \$signal$7  ? \$15  : 4'h0;
+  assign \$16  = group_base + odd_words;
+  assign \$17  = \$16  + \$signal$10 ;
+  assign \$18  = 1'h1 << \$signal ;
+  assign \write__en$23  = \$signal$7  ? \$18  : 4'h0;
+  assign \$19  = \$signal$10  + 1'h1;
+  assign \$20  = \$signal$9  ? 15'h0000 : \$19 ;
+  assign \$21  = \$signal$2  + 1'h1;
+  assign \$22  = \$signal$11  ? 17'h00000 : \$21 ;
+  assign \$23  = group_base + shape[107:93];
+  assign \$24  = \$signal$11  ? 16'h0000 : \$23 ;
+  assign \$25  = row + 1'h1;
+  assign \$26  = row + 1'h1;
+  assign \$27  = \$26  == shape[15:0];
+  assign \$28  = free - \$signal$12 ;
+  assign \$29  = $signed(\$28 ) + $signed({ 1'h0, retire });
+  assign \$30  = retire_row ? shape[62:48] : 15'h0000;
+  assign \$31  = $signed(\$29 ) + $signed({ 1'h0, \$30  });
+  assign \$32  = shape[164] ? 3'h4 : 3'h3;
+  assign \$33  = \$32  * shape[62:48];
+  assign \$34  = mask[0] ? picked[23:0] : 24'h000000;
+  assign \$35  = shape[166] ? 24'h924924 : 24'h000000;
   macram_ram #(
     .ADDR_BITS(32'd10),
     .DEPTH(32'd1024),
@@ -7789,7 +8396,7 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
     .read_addr({ read[1:0], read[9:2] }),
     .read_data(read__data),
     .read_en(1'h1),
-    .write_addr({ row[1:0], \$9 [7:0] }),
+    .write_addr({ row[1:0], \$14 [7:0] }),
     .write_data({ i__payload[23:0], i__payload[23:0], i__payload[23:0], i__payload[23:0] }),
     .write_en(write__en)
   );
@@ -7802,11 +8409,11 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
   ) bank1 (
     .clk(clk),
     .read_addr({ read[1:0], read[9:2] }),
-    .read_data(\read__data$26 ),
+    .read_data(\read__data$28 ),
     .read_en(1'h1),
-    .write_addr({ row[1:0], \$11 [7:0] }),
+    .write_addr({ row[1:0], \$17 [7:0] }),
     .write_data({ i__payload[47:24], i__payload[47:24], i__payload[47:24], i__payload[47:24] }),
-    .write_en(\write__en$21 )
+    .write_en(\write__en$23 )
   );
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
@@ -7815,180 +8422,185 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
       1'h0:
           picked = read__data;
       1'h1:
-          picked = \read__data$26 ;
+          picked = \read__data$28 ;
     endcase
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$28  = \$signal$10 ;
+    \$46  = \$signal$12 ;
     if (start) begin
-      \$28  = 1'h0;
+      \$46  = 1'h0;
     end
     if (soft_reset) begin
-      \$28  = 1'h0;
+      \$46  = 1'h0;
     end
     if (rst) begin
-      \$28  = 1'h0;
+      \$46  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$29  = \$signal$6 ;
-    if (\$signal ) begin
-      \$29  = \$14 [13:0];
+    \$47  = \$signal$10 ;
+    if (\$signal$7 ) begin
+      \$47  = \$20 [13:0];
     end
     if (start) begin
-      \$29  = 14'h0000;
+      \$47  = 14'h0000;
     end
     if (soft_reset) begin
-      \$29  = 14'h0000;
+      \$47  = 14'h0000;
     end
     if (rst) begin
-      \$29  = 14'h0000;
+      \$47  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$30  = \$signal$9 ;
-    if (\$signal$5 ) begin
-      \$30  = \$16 [15:0];
+    \$48  = \$signal$2 ;
+    if (\$signal$9 ) begin
+      \$48  = \$22 [15:0];
     end
     if (start) begin
-      \$30  = 16'h0000;
+      \$48  = 16'h0000;
     end
     if (soft_reset) begin
-      \$30  = 16'h0000;
+      \$48  = 16'h0000;
     end
     if (rst) begin
-      \$30  = 16'h0000;
+      \$48  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$31  = group_base;
-    if (\$signal$10 ) begin
-      \$31  = \$18 [8:0];
+    \$49  = group_base;
+    if (\$signal$12 ) begin
+      \$49  = \$24 [8:0];
     end
     if (start) begin
-      \$31  = 9'h000;
+      \$49  = 9'h000;
     end
     if (soft_reset) begin
-      \$31  = 9'h000;
+      \$49  = 9'h000;
     end
     if (rst) begin
-      \$31  = 9'h000;
+      \$49  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$32  = row;
-    if (\$signal$8 ) begin
-      \$32  = \$19 [15:0];
+    \$50  = row;
+    if (\$signal$11 ) begin
+      \$50  = \$25 [15:0];
     end
     if (start) begin
-      \$32  = 16'h0000;
+      \$50  = 16'h0000;
     end
     if (soft_reset) begin
-      \$32  = 16'h0000;
+      \$50  = 16'h0000;
     end
     if (rst) begin
-      \$32  = 16'h0000;
+      \$50  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$33  = image_written;
-    if (\$signal$8 ) begin
-      if (\$21 ) begin
-        \$33  = 1'h1;
+    \$51  = image_written;
+    if (\$signal$11 ) begin
+      if (\$27 ) begin
+        \$51  = 1'h1;
       end
     end
     if (start) begin
-      \$33  = 1'h0;
+      \$51  = 1'h0;
     end
     if (soft_reset) begin
-      \$33  = 1'h1;
+      \$51  = 1'h1;
     end
     if (rst) begin
-      \$33  = 1'h1;
+      \$51  = 1'h1;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$34  = \$23 [1:0];
+    \$52  = \$31 [10:0];
     if (start) begin
-      \$34  = 2'h3;
+      \$52  = \$33 [10:0];
     end
     if (soft_reset) begin
-      \$34  = 2'h0;
+      \$52  = 11'h000;
     end
     if (rst) begin
-      \$34  = 2'h0;
+      \$52  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$35  = read[10];
+    \$53  = read[10];
     if (soft_reset) begin
-      \$35  = 1'h0;
+      \$53  = 1'h0;
     end
     if (rst) begin
-      \$35  = 1'h0;
+      \$53  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$36  = read[14:11];
+    \$54  = read[14:11];
     if (soft_reset) begin
-      \$36  = 4'h0;
+      \$54  = 4'h0;
     end
     if (rst) begin
-      \$36  = 4'h0;
+      \$54  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$37 [23:0] = \$24 ;
-    \$37 [47:24] = \$25 ;
-    \$37 [71:48] = \$26 ;
-    \$37 [95:72] = \$27 ;
+    \$55 [23:0] = \$36 ;
+    \$55 [47:24] = \$39 ;
+    \$55 [71:48] = \$42 ;
+    \$55 [95:72] = \$45 ;
     if (soft_reset) begin
-      \$37  = 96'h000000000000000000000000;
+      \$55  = 96'h000000000000000000000000;
     end
     if (rst) begin
-      \$37  = 96'h000000000000000000000000;
+      \$55  = 96'h000000000000000000000000;
     end
   end
-  assign write__addr = { row[1:0], \$9 [7:0] };
+  assign write__addr = { row[1:0], \$14 [7:0] };
   assign write__data = { i__payload[23:0], i__payload[23:0], i__payload[23:0], i__payload[23:0] };
   assign read__addr = { read[1:0], read[9:2] };
-  assign \write__addr$19  = { row[1:0], \$11 [7:0] };
-  assign \write__data$20  = { i__payload[47:24], i__payload[47:24], i__payload[47:24], i__payload[47:24] };
-  assign \read__addr$22  = { read[1:0], read[9:2] };
+  assign \write__addr$21  = { row[1:0], \$17 [7:0] };
+  assign \write__data$22  = { i__payload[47:24], i__payload[47:24], i__payload[47:24], i__payload[47:24] };
+  assign \read__addr$24  = { read[1:0], read[9:2] };
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[46:32];
-  assign \shape.tail  = shape[48:47];
-  assign \shape.blocks  = shape[62:49];
-  assign \shape.ingest_words  = shape[76:63];
-  assign \shape.tiles  = shape[88:77];
-  assign \shape.output_words  = shape[100:89];
-  assign \shape.beats_in  = shape[116:101];
-  assign \shape.beats_out  = shape[132:117];
+  assign \shape.out_height  = shape[47:32];
+  assign \shape.groups  = shape[62:48];
+  assign \shape.tail  = shape[64:63];
+  assign \shape.blocks  = shape[78:65];
+  assign \shape.ingest_words  = shape[92:79];
+  assign \shape.column_words  = shape[107:93];
+  assign \shape.tiles  = shape[119:108];
+  assign \shape.output_words  = shape[131:120];
+  assign \shape.beats_in  = shape[147:132];
+  assign \shape.beats_out  = shape[163:148];
+  assign \shape.pointwise  = shape[164];
+  assign \shape.halved  = shape[165];
+  assign \shape.biased  = shape[166];
   assign \read.slot  = read[1:0];
   assign \read.address  = read[9:2];
   assign \read.bank  = read[10];
   assign \read.mask  = read[14:11];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, start_weights, start_requant, \port$1305$0 , \port$1307$0 , \port$1309$0 , i__ready, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1507$0 , \port$1509$0 , \port$1511$0 , i__ready, to_requant, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
   wire [4:0] \$11 ;
   wire [4:0] \$12 ;
-  wire [10:0] \$13 ;
-  wire [10:0] \$14 ;
+  wire [11:0] \$13 ;
+  wire [11:0] \$14 ;
   wire [64:0] \$15 ;
   wire \$16 ;
   wire \$17 ;
@@ -7999,29 +8611,33 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   wire \$21 ;
   wire [63:0] \$22 ;
   wire \$23 ;
-  reg [8:0] \$24 ;
-  reg [8:0] \$25  = 9'h000;
-  reg [7:0] \$26 ;
-  reg [7:0] \$27  = 8'h00;
-  reg [575:0] \$28 ;
-  reg [3:0] \$29 ;
+  wire [32:0] \$24 ;
+  wire [32:0] \$25 ;
+  reg [9:0] \$26 ;
+  reg [9:0] \$27  = 10'h000;
+  reg [7:0] \$28 ;
+  reg [7:0] \$29  = 8'h00;
   wire \$3 ;
-  reg [9:0] \$30 ;
-  reg [63:0] \$31 ;
-  reg \$32 ;
-  reg \$33 ;
-  reg [63:0] \$34 ;
+  reg [703:0] \$30 ;
+  reg [3:0] \$31 ;
+  reg [10:0] \$32 ;
+  reg [63:0] \$33 ;
+  reg \$34 ;
   reg \$35 ;
-  wire [10:0] \$4 ;
+  reg [63:0] \$36 ;
+  reg \$37 ;
+  wire [11:0] \$4 ;
   wire \$5 ;
   wire \$6 ;
   wire \$7 ;
-  wire [575:0] \$8 ;
+  wire [703:0] \$8 ;
   wire [1086:0] \$9 ;
   wire \$signal ;
   wire \$signal$10 ;
   wire \$signal$4 ;
   wire \$signal$7 ;
+  input [31:0] base;
+  wire [31:0] base;
   reg [3:0] beat_index = 4'h0;
   (* init = 1'h0 *)
   wire busy;
@@ -8034,6 +8650,7 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   (* enum_value_011 = "TLAST_EARLY" *)
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
+  (* enum_value_110 = "BAD_RANGE" *)
   output [2:0] error;
   wire [2:0] error;
   output fault;
@@ -8046,41 +8663,42 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   reg i__ready = 1'h0;
   input i__valid;
   wire i__valid;
-  (* init = 9'h000 *)
-  output [8:0] \port$1305$0 ;
-  wire [8:0] \port$1305$0 ;
+  (* init = 10'h000 *)
+  output [9:0] \port$1507$0 ;
+  wire [9:0] \port$1507$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1307$0 ;
-  wire [7:0] \port$1307$0 ;
-  output [535:0] \port$1309$0 ;
-  wire [535:0] \port$1309$0 ;
-  wire [543:0] requant;
+  output [7:0] \port$1509$0 ;
+  wire [7:0] \port$1509$0 ;
+  output [671:0] \port$1511$0 ;
+  wire [671:0] \port$1511$0 ;
+  wire [679:0] requant;
   wire [7:0] \requant.addr ;
-  wire [535:0] \requant.data ;
+  wire [671:0] \requant.data ;
   output requant_en;
   reg requant_en = 1'h0;
   input rst;
   wire rst;
-  reg [575:0] shifter = 576'h000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000;
+  reg [703:0] shifter = 704'h00000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000;
   input soft_reset;
   wire soft_reset;
   input start_requant;
   wire start_requant;
   input start_weights;
   wire start_weights;
+  output to_requant;
   reg to_requant = 1'h0;
   reg [63:0] unit = 64'h0000000000000000;
   output [63:0] unit_en;
   reg [63:0] unit_en = 64'h0000000000000000;
-  wire [80:0] weight;
-  wire [8:0] \weight.addr ;
+  wire [81:0] weight;
+  wire [9:0] \weight.addr ;
   wire [71:0] \weight.data ;
-  reg [9:0] word_index = 10'h000;
+  reg [10:0] word_index = 11'h000;
   input [31:0] words;
   wire [31:0] words;
   assign \$signal  = i__valid & i__ready;
   assign \$1  = beat_index + 1'h1;
-  assign \$2  = to_requant ? 4'h9 : 4'h2;
+  assign \$2  = to_requant ? 4'hb : 4'h2;
   assign \$3  = \$1  == \$2 ;
   assign \$signal$4  = \$signal  & \$3 ;
   assign \$4  = word_index + 1'h1;
@@ -8091,11 +8709,11 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign \$7  = i__payload[64] != \$signal$10 ;
   assign fault = \$signal  & \$7 ;
   assign error = i__payload[64] ? 3'h3 : 3'h4;
-  assign \$10  = { 511'h00000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000, \$8  } | \$9 ;
+  assign \$10  = { 383'h000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000, \$8  } | \$9 ;
   assign \$11  = beat_index + 1'h1;
   assign \$12  = \$signal$4  ? 5'h00 : \$11 ;
   assign \$13  = word_index + 1'h1;
-  assign \$14  = \$signal$7  ? 11'h000 : \$13 ;
+  assign \$14  = \$signal$7  ? 12'h000 : \$13 ;
   assign \$16  = \$signal$10  | fault;
   assign \$17  = ~ i__ready;
   assign \$18  = start_weights | start_requant;
@@ -8104,178 +8722,203 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign \$21  = \$signal$4  & \$20 ;
   assign \$22  = \$21  ? unit : 64'h0000000000000000;
   assign \$23  = \$signal$4  & to_requant;
-  always @(posedge clk)
-    \$25  <= \$24 ;
+  assign \$24  = base + word_index;
+  assign \$25  = base + word_index;
   always @(posedge clk)
     \$27  <= \$26 ;
   always @(posedge clk)
-    shifter <= \$28 ;
+    \$29  <= \$28 ;
   always @(posedge clk)
-    beat_index <= \$29 ;
+    shifter <= \$30 ;
   always @(posedge clk)
-    word_index <= \$30 ;
+    beat_index <= \$31 ;
   always @(posedge clk)
-    unit <= \$31 ;
+    word_index <= \$32 ;
   always @(posedge clk)
-    i__ready <= \$32 ;
+    unit <= \$33 ;
   always @(posedge clk)
-    to_requant <= \$33 ;
+    i__ready <= \$34 ;
   always @(posedge clk)
-    unit_en <= \$34 ;
+    to_requant <= \$35 ;
   always @(posedge clk)
-    requant_en <= \$35 ;
+    unit_en <= \$36 ;
+  always @(posedge clk)
+    requant_en <= \$37 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$24  = word_index[8:0];
+    \$26  = \$24 [9:0];
     if (soft_reset) begin
-      \$24  = 9'h000;
+      \$26  = 10'h000;
     end
     if (rst) begin
-      \$24  = 9'h000;
+      \$26  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$26  = word_index[7:0];
+    \$28  = \$25 [7:0];
     if (soft_reset) begin
-      \$26  = 8'h00;
+      \$28  = 8'h00;
     end
     if (rst) begin
-      \$26  = 8'h00;
+      \$28  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$28  = shifter;
+    \$30  = shifter;
     if (\$signal ) begin
-      \$28  = \$10 [575:0];
+      \$30  = \$10 [703:0];
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$29  = beat_index;
+    \$31  = beat_index;
     if (\$signal ) begin
-      \$29  = \$12 [3:0];
+      \$31  = \$12 [3:0];
     end
     if (\$19 ) begin
-      \$29  = 4'h0;
+      \$31  = 4'h0;
     end
     if (soft_reset) begin
-      \$29  = 4'h0;
+      \$31  = 4'h0;
     end
     if (rst) begin
-      \$29  = 4'h0;
+      \$31  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$30  = word_index;
+    \$32  = word_index;
     if (\$signal$4 ) begin
-      \$30  = \$14 [9:0];
+      \$32  = \$14 [10:0];
     end
     if (\$19 ) begin
-      \$30  = 10'h000;
+      \$32  = 11'h000;
     end
     if (soft_reset) begin
-      \$30  = 10'h000;
+      \$32  = 11'h000;
     end
     if (rst) begin
-      \$30  = 10'h000;
+      \$32  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$31  = unit;
+    \$33  = unit;
     if (\$signal$7 ) begin
-      \$31  = \$15 [63:0];
+      \$33  = \$15 [63:0];
     end
     if (\$19 ) begin
-      \$31  = 64'h0000000000000001;
+      \$33  = 64'h0000000000000001;
     end
     if (soft_reset) begin
-      \$31  = 64'h0000000000000000;
+      \$33  = 64'h0000000000000000;
     end
     if (rst) begin
-      \$31  = 64'h0000000000000000;
+      \$33  = 64'h0000000000000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$32  = i__ready;
+    \$34  = i__ready;
     if (\$16 ) begin
-      \$32  = 1'h0;
+      \$34  = 1'h0;
     end
     if (\$19 ) begin
-      \$32  = 1'h1;
+      \$34  = 1'h1;
     end
     if (soft_reset) begin
-      \$32  = 1'h0;
+      \$34  = 1'h0;
     end
     if (rst) begin
-      \$32  = 1'h0;
+      \$34  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$33  = to_requant;
+    \$35  = to_requant;
     if (\$19 ) begin
-      \$33  = start_requant;
+      \$35  = start_requant;
     end
-    if (soft_reset) begin
-      \$33  = 1'h0;
-    end
-    if (rst) begin
-      \$33  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$34  = \$22 ;
-    if (soft_reset) begin
-      \$34  = 64'h0000000000000000;
-    end
-    if (rst) begin
-      \$34  = 64'h0000000000000000;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
-    \$35  = \$23 ;
     if (soft_reset) begin
       \$35  = 1'h0;
     end
     if (rst) begin
       \$35  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
+    \$36  = \$22 ;
+    if (soft_reset) begin
+      \$36  = 64'h0000000000000000;
+    end
+    if (rst) begin
+      \$36  = 64'h0000000000000000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$9 ) begin end
+    \$37  = \$23 ;
+    if (soft_reset) begin
+      \$37  = 1'h0;
+    end
+    if (rst) begin
+      \$37  = 1'h0;
     end
   end
   assign busy = i__ready;
-  assign weight = { shifter[519:448], \$25  };
-  assign requant = { shifter[535:0], \$27  };
-  assign \port$1305$0  = \$25 ;
-  assign \port$1307$0  = \$27 ;
-  assign \port$1309$0  = shifter[535:0];
+  assign weight = { shifter[647:576], \$27  };
+  assign requant = { shifter[671:0], \$29  };
+  assign \port$1507$0  = \$27 ;
+  assign \port$1509$0  = \$29 ;
+  assign \port$1511$0  = shifter[671:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
-  assign \weight.addr  = \$25 ;
-  assign \weight.data  = shifter[519:448];
-  assign \requant.addr  = \$27 ;
-  assign \requant.data  = shifter[535:0];
-  assign \$8  = { 64'h0000000000000000, shifter[575:64] };
-  assign \$9  = { 511'h00000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000, i__payload[63:0], 512'h00000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 };
+  assign \weight.addr  = \$27 ;
+  assign \weight.data  = shifter[647:576];
+  assign \requant.addr  = \$29 ;
+  assign \requant.data  = shifter[671:0];
+  assign \$8  = { 64'h0000000000000000, shifter[703:64] };
+  assign \$9  = { 383'h000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000, i__payload[63:0], 640'h0000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 };
   assign \$15  = { unit, 1'h0 };
 endmodule
 
-module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire, credit, soft_reset, shape, group_written, image_written, flushing, \step$37 , clk);
+module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_reset, weight_base, start, shape, group_written, image_written, retire, retire_row, flushing, \step$45 , clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$10  = 0;
   wire [14:0] \$1 ;
-  wire [15:0] \$10 ;
-  wire [16:0] \$11 ;
+  wire \$10 ;
+  wire [3:0] \$100 ;
+  wire [3:0] \$101 ;
+  wire [3:0] \$102 ;
+  wire \$103 ;
+  wire \$104 ;
+  wire \$105 ;
+  wire \$106 ;
+  reg \$107 ;
+  reg \$108 ;
+  reg [17:0] \$109 ;
+  wire \$11 ;
+  reg \$110 ;
+  reg [13:0] \$111 ;
+  reg [10:0] \$112 ;
+  reg \$113 ;
+  reg [1:0] \$114 ;
+  reg [11:0] \$115 ;
+  reg [14:0] \$116 ;
+  reg [8:0] \$117 ;
+  reg [15:0] \$118 ;
+  reg \$119 ;
   wire \$12 ;
+  reg \$120 ;
+  reg \$121 ;
+  reg [43:0] \$122 ;
   wire \$13 ;
   wire \$14 ;
-  wire \$15 ;
-  wire \$16 ;
-  wire \$17 ;
+  wire [12:0] \$15 ;
+  wire [15:0] \$16 ;
+  wire [16:0] \$17 ;
   wire \$18 ;
   wire \$19 ;
   wire \$2 ;
@@ -8286,82 +8929,97 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   wire \$24 ;
   wire \$25 ;
   wire \$26 ;
-  wire [16:0] \$27 ;
+  wire \$27 ;
   wire \$28 ;
   wire \$29 ;
   wire \$3 ;
   wire \$30 ;
   wire \$31 ;
-  wire \$32 ;
-  wire \$33 ;
-  wire [3:0] \$34 ;
-  wire [4:0] \$35 ;
-  wire [4:0] \$36 ;
+  wire [17:0] \$32 ;
+  wire [18:0] \$33 ;
+  wire [17:0] \$34 ;
+  wire [18:0] \$35 ;
+  wire [18:0] \$36 ;
   wire \$37 ;
   wire \$38 ;
   wire \$39 ;
   wire \$4 ;
-  wire \$40 ;
-  wire \$41 ;
-  wire \$42 ;
-  wire \$43 ;
+  wire [16:0] \$40 ;
+  wire [2:0] \$41 ;
+  wire [2:0] \$42 ;
+  wire [18:0] \$43 ;
   wire \$44 ;
   wire \$45 ;
-  wire [18:0] \$46 ;
+  wire \$46 ;
   wire \$47 ;
   wire \$48 ;
   wire \$49 ;
   wire \$5 ;
-  wire [19:0] \$50 ;
-  wire \$51 ;
-  wire [14:0] \$52 ;
-  wire [10:0] \$53 ;
-  wire [2:0] \$54 ;
-  wire [12:0] \$55 ;
-  wire [15:0] \$56 ;
-  wire [14:0] \$57 ;
+  wire [3:0] \$50 ;
+  wire [4:0] \$51 ;
+  wire [4:0] \$52 ;
+  wire \$53 ;
+  wire \$54 ;
+  wire \$55 ;
+  wire \$56 ;
+  wire \$57 ;
   wire \$58 ;
-  wire [16:0] \$59 ;
+  wire \$59 ;
   wire \$6 ;
   wire \$60 ;
   wire \$61 ;
   wire \$62 ;
   wire \$63 ;
   wire \$64 ;
-  wire [15:0] \$65 ;
-  wire [15:0] \$66 ;
-  wire [13:0] \$67 ;
-  wire [14:0] \$68 ;
-  wire [3:0] \$69 ;
+  wire \$65 ;
+  wire \$66 ;
+  wire \$67 ;
+  wire [18:0] \$68 ;
+  wire \$69 ;
   wire \$7 ;
   wire \$70 ;
   wire \$71 ;
-  wire \$72 ;
-  wire \$73 ;
-  reg [17:0] \$74 ;
-  reg \$75 ;
-  reg [13:0] \$76 ;
-  reg [9:0] \$77 ;
-  reg [1:0] \$78 ;
-  reg [11:0] \$79 ;
+  wire [19:0] \$72 ;
+  wire [14:0] \$73 ;
+  wire [20:0] \$74 ;
+  wire \$75 ;
+  wire [14:0] \$76 ;
+  wire [11:0] \$77 ;
+  wire \$78 ;
+  wire \$79 ;
   wire \$8 ;
-  reg [14:0] \$80 ;
-  reg [8:0] \$81 ;
-  reg [15:0] \$82 ;
-  reg \$83 ;
-  reg \$84 ;
-  reg \$85 ;
-  reg [41:0] \$86 ;
-  wire [12:0] \$9 ;
+  wire [2:0] \$80 ;
+  wire [12:0] \$81 ;
+  wire [15:0] \$82 ;
+  wire [15:0] \$83 ;
+  wire \$84 ;
+  wire [16:0] \$85 ;
+  wire \$86 ;
+  wire \$87 ;
+  wire \$88 ;
+  wire \$89 ;
+  wire \$9 ;
+  wire \$90 ;
+  wire \$91 ;
+  wire [15:0] \$92 ;
+  wire [15:0] \$93 ;
+  wire [13:0] \$94 ;
+  wire [14:0] \$95 ;
+  wire [13:0] \$96 ;
+  wire [15:0] \$97 ;
+  wire \$98 ;
+  wire \$99 ;
   wire \$signal ;
   wire \$signal$10 ;
-  reg [14:0] \$signal$11  = 15'h0000;
   wire \$signal$12 ;
-  reg [15:0] \$signal$13  = 16'h0000;
+  wire \$signal$13 ;
+  reg [14:0] \$signal$14  = 15'h0000;
+  wire \$signal$15 ;
+  reg [15:0] \$signal$16  = 16'h0000;
   wire \$signal$4 ;
-  reg [1:0] \$signal$5  = 2'h0;
+  reg \$signal$6  = 1'h0;
   wire \$signal$7 ;
-  wire \$signal$9 ;
+  reg [1:0] \$signal$8  = 2'h0;
   reg [17:0] ahead = 18'h00000;
   reg [13:0] block = 14'h0000;
   output blocked;
@@ -8382,365 +9040,466 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
   wire image_written;
   output issue;
   wire issue;
+  wire kernel_row_last;
   wire last;
   wire [3:0] pixels;
   wire pixels_ready;
   output retire;
-  wire retire;
+  reg retire = 1'h0;
+  output retire_row;
+  reg retire_row = 1'h0;
   wire row_exists;
   input rst;
   wire rst;
-  input [132:0] shape;
-  wire [132:0] shape;
+  input [166:0] shape;
+  wire [166:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
+  wire \shape.biased ;
   wire [13:0] \shape.blocks ;
+  wire [14:0] \shape.column_words ;
   wire [14:0] \shape.groups ;
+  wire \shape.halved ;
   wire [15:0] \shape.height ;
   wire [13:0] \shape.ingest_words ;
+  wire [15:0] \shape.out_height ;
   wire [11:0] \shape.output_words ;
+  wire \shape.pointwise ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
+  wire skipped;
   wire [3:0] slots;
   input soft_reset;
   wire soft_reset;
   wire [17:0] source_row;
+  wire [16:0] source_row_below;
   input start;
   wire start;
   output starved;
   wire starved;
   wire step;
-  output [41:0] \step$37 ;
-  reg [41:0] \step$37  = 42'h00000000000;
-  wire [7:0] \step$37.control ;
-  wire \step$37.control.edge ;
-  wire \step$37.control.en ;
-  wire \step$37.control.first ;
-  wire \step$37.control.last ;
-  wire [3:0] \step$37.control.tile ;
-  wire [9:0] \step$37.info ;
-  wire \step$37.info.image_last ;
-  wire [3:0] \step$37.info.slots ;
-  wire [3:0] \step$37.info.tile ;
-  wire \step$37.info.tile_last ;
-  wire [14:0] \step$37.read ;
-  wire [7:0] \step$37.read.address ;
-  wire \step$37.read.bank ;
-  wire [3:0] \step$37.read.mask ;
-  wire [1:0] \step$37.read.slot ;
-  wire [8:0] \step$37.weight ;
+  output [43:0] \step$45 ;
+  reg [43:0] \step$45  = 44'h00000000000;
+  wire [7:0] \step$45.control ;
+  wire \step$45.control.edge ;
+  wire \step$45.control.en ;
+  wire \step$45.control.first ;
+  wire \step$45.control.last ;
+  wire [3:0] \step$45.control.tile ;
+  wire [10:0] \step$45.info ;
+  wire \step$45.info.edge ;
+  wire \step$45.info.image_last ;
+  wire [3:0] \step$45.info.slots ;
+  wire [3:0] \step$45.info.tile ;
+  wire \step$45.info.tile_last ;
+  wire [14:0] \step$45.read ;
+  wire [7:0] \step$45.read.address ;
+  wire \step$45.read.bank ;
+  wire [3:0] \step$45.read.mask ;
+  wire [1:0] \step$45.read.slot ;
+  wire [9:0] \step$45.weight ;
+  wire step_last;
   reg [11:0] tile = 12'h000;
   reg valid = 1'h0;
-  reg [9:0] weight = 10'h000;
-  assign \$signal$9  = \$9  == shape[88:77];
-  assign \$10  = \$signal$11  + 1'h1;
-  assign \$signal$10  = \$10  == shape[46:32];
-  assign \$11  = \$signal$13  + 1'h1;
-  assign \$signal$12  = \$11  == shape[15:0];
-  assign \$12  = ~ \$signal$7 ;
-  assign \$13  = \$12  | image_written;
-  assign \$14  = $signed(ahead) > $signed(1'h0);
-  assign \$15  = \$13  | \$14 ;
-  assign pixels_ready = \$15  | flushing;
-  assign \$16  = ~ pixels_ready;
-  assign starved = busy & \$16 ;
-  assign \$17  = busy & pixels_ready;
-  assign \$18  = \$17  & last;
-  assign \$19  = ~ credits;
-  assign blocked = \$18  & \$19 ;
-  assign \$20  = busy & pixels_ready;
-  assign \$21  = ~ credits;
-  assign \$22  = last & \$21 ;
-  assign \$23  = ~ \$22 ;
-  assign step = \$20  & \$23 ;
-  assign \$24  = ~ flushing;
-  assign issue = step & \$24 ;
-  assign \$25  = issue & last;
-  assign \$26  = \$25  & \$signal$9 ;
-  assign retire = \$26  & \$signal$10 ;
-  assign \$27  = \$signal$13  + \$signal$5 ;
-  assign source_row = \$27  - 1'h1;
-  assign \$28  = $signed(source_row) >= $signed(1'h0);
-  assign \$29  = $signed(source_row) < $signed({ 1'h0, shape[15:0] });
-  assign \$30  = \$28  & \$29 ;
-  assign \$31  = ~ flushing;
-  assign row_exists = \$30  & \$31 ;
-  assign \$32  = | shape[48:47];
-  assign \$33  = \$signal$10  & \$32 ;
-  assign \$34  = 1'h1 << shape[48:47];
-  assign \$35  = \$34  - 1'h1;
-  assign \$36  = \$33  ? \$35  : 5'h0f;
-  assign \edge  = ! \$signal$11 ;
-  assign \$37  = ! shape[48:47];
-  assign \$38  = | \$signal$13 ;
-  assign \$39  = \$37  & \$38 ;
-  assign \$40  = \edge  ? \$39  : 1'h1;
-  assign \$41  = ~ flushing;
-  assign \$42  = ~ flushing;
-  assign \$43  = \$42  & \$36 [1];
-  assign \$44  = ~ flushing;
-  assign \$45  = \$44  & \$36 [2];
-  assign \$46  = $signed(ahead) + $signed({ 1'h0, group_written });
-  assign \$47  = step & \$signal$7 ;
-  assign \$48  = ~ flushing;
-  assign \$49  = \$47  & \$48 ;
-  assign \$50  = $signed(\$46 ) - $signed({ 1'h0, \$49  });
-  assign \$51  = step & last;
-  assign \$52  = block + 1'h1;
-  assign \$53  = weight + 1'h1;
-  assign \$54  = \$signal$5  + 1'h1;
-  assign \$55  = tile + 1'h1;
-  assign \$56  = \$signal$11  + 1'h1;
-  assign \$57  = group_base + shape[76:63];
-  assign \$58  = \$signal$10  | flushing;
-  assign \$59  = \$signal$13  + 1'h1;
-  assign \$60  = \$signal$12  | flushing;
-  assign \$61  = ! shape[48:47];
-  assign \$62  = ~ flushing;
-  assign \$63  = \$61  & \$62 ;
-  assign \$64  = shape[15:0] == 1'h1;
-  assign \$65  = - shape[46:32];
-  assign \$66  = \$64  ? 16'h0000 : \$65 ;
-  assign \$68  = group_base + \$67 ;
-  assign \$69  = row_exists ? \$36 [3:0] : 4'h0;
-  assign \$70  = \$signal$12  & \$signal$10 ;
-  assign \$71  = | shape[48:47];
-  assign \$72  = \$70  & \$71 ;
-  assign \$73  = flushing | \$72 ;
-  always @(posedge clk)
-    ahead <= \$74 ;
-  always @(posedge clk)
-    credits <= \$75 ;
-  always @(posedge clk)
-    block <= \$76 ;
-  always @(posedge clk)
-    weight <= \$77 ;
-  always @(posedge clk)
-    \$signal$5  <= \$78 ;
-  always @(posedge clk)
-    tile <= \$79 ;
-  always @(posedge clk)
-    \$signal$11  <= \$80 ;
-  always @(posedge clk)
-    group_base <= \$81 ;
-  always @(posedge clk)
-    \$signal$13  <= \$82 ;
-  always @(posedge clk)
-    flushing <= \$83 ;
-  always @(posedge clk)
-    busy <= \$84 ;
-  always @(posedge clk)
-    valid <= \$85 ;
-  always @(posedge clk)
-    \step$37  <= \$86 ;
+  reg [10:0] weight = 11'h000;
+  input [9:0] weight_base;
+  wire [9:0] weight_base;
   assign \$1  = block + 1'h1;
-  assign \$2  = \$1  == shape[62:49];
+  assign \$2  = \$1  == shape[78:65];
   assign \$signal  = flushing | \$2 ;
-  assign \$3  = ! \$signal$5 ;
-  assign \$4  = ! block;
-  assign \$5  = \$3  & \$4 ;
-  assign \$signal$4  = flushing | \$5 ;
-  assign \$6  = \$signal$5  == 2'h2;
-  assign \$7  = \$6  & \$signal ;
-  assign last = flushing | \$7 ;
-  assign \$8  = ! tile;
-  assign \$signal$7  = \$signal$4  & \$8 ;
-  assign \$9  = tile + 1'h1;
+  assign \$3  = ~ shape[164];
+  assign \$signal$4  = shape[165] & \$3 ;
+  assign \$4  = ~ \$signal$4 ;
+  assign \$5  = \$signal$6  | \$4 ;
+  assign kernel_row_last = \$signal  & \$5 ;
+  assign \$6  = ! \$signal$8 ;
+  assign \$7  = ~ \$signal$6 ;
+  assign \$8  = \$6  & \$7 ;
+  assign \$9  = ! block;
+  assign \$10  = \$8  & \$9 ;
+  assign \$signal$7  = flushing | \$10 ;
+  assign \$11  = \$signal$8  == 2'h2;
+  assign \$12  = shape[164] | \$11 ;
+  assign \$13  = kernel_row_last & \$12 ;
+  assign last = flushing | \$13 ;
+  assign \$14  = ! tile;
+  assign \$signal$10  = \$signal$7  & \$14 ;
+  assign \$15  = tile + 1'h1;
+  assign \$signal$12  = \$15  == shape[119:108];
+  assign \$16  = \$signal$14  + 1'h1;
+  assign \$signal$13  = \$16  == shape[62:48];
+  assign \$17  = \$signal$16  + 1'h1;
+  assign \$signal$15  = \$17  == shape[47:32];
+  assign \$18  = ~ \$signal$10 ;
+  assign \$19  = \$18  | image_written;
+  assign \$20  = $signed(ahead) > $signed(1'h0);
+  assign \$21  = \$19  | \$20 ;
+  assign pixels_ready = \$21  | flushing;
+  assign \$22  = ~ pixels_ready;
+  assign starved = busy & \$22 ;
+  assign \$23  = busy & pixels_ready;
+  assign \$24  = \$23  & last;
+  assign \$25  = ~ credits;
+  assign blocked = \$24  & \$25 ;
+  assign \$26  = busy & pixels_ready;
+  assign \$27  = ~ credits;
+  assign \$28  = last & \$27 ;
+  assign \$29  = ~ \$28 ;
+  assign step = \$26  & \$29 ;
+  assign \$30  = ~ flushing;
+  assign issue = step & \$30 ;
+  assign \$31  = issue & last;
+  assign step_last = \$31  & \$signal$12 ;
+  assign \$32  = 2'h2 * \$signal$16 ;
+  assign \$33  = \$32  + 2'h2;
+  assign \$34  = 2'h2 * \$signal$16 ;
+  assign \$35  = \$34  + 2'h3;
+  assign \$36  = shape[164] ? \$33  : \$35 ;
+  assign \$37  = step_last & \$signal$13 ;
+  assign \$38  = \$37  & shape[165];
+  assign \$39  = \$36 [16:0] < shape[15:0];
+  assign skipped = \$38  & \$39 ;
+  assign \$40  = \$signal$16  << shape[165];
+  assign \$41  = \$signal$8  - 1'h1;
+  assign \$42  = shape[164] ? 3'h0 : \$41 ;
+  assign \$43  = $signed({ 1'h0, \$40  }) + $signed(\$42 );
+  assign \$44  = $signed(\$43 [17:0]) >= $signed(1'h0);
+  assign \$45  = $signed(\$43 [17:0]) < $signed({ 1'h0, shape[15:0] });
+  assign \$46  = \$44  & \$45 ;
+  assign \$47  = ~ flushing;
+  assign row_exists = \$46  & \$47 ;
+  assign \$48  = | shape[64:63];
+  assign \$49  = \$signal$13  & \$48 ;
+  assign \$50  = 1'h1 << shape[64:63];
+  assign \$51  = \$50  - 1'h1;
+  assign \$52  = \$49  ? \$51  : 5'h0f;
+  assign \edge  = ! \$signal$14 ;
+  assign \$53  = ! shape[64:63];
+  assign \$54  = | \$signal$16 ;
+  assign \$55  = \$53  & \$54 ;
+  assign \$56  = \edge  ? \$55  : 1'h1;
+  assign \$57  = ~ flushing;
+  assign \$58  = ~ flushing;
+  assign \$59  = \$58  & \$52 [1];
+  assign \$60  = ~ flushing;
+  assign \$61  = \$60  & \$52 [2];
+  assign \$62  = issue & \$signal$12 ;
+  assign \$63  = ! \$signal$8 ;
+  assign \$64  = \$62  & \$63 ;
+  assign \$65  = \$64  & kernel_row_last;
+  assign \$66  = step_last & \$signal$13 ;
+  assign \$67  = \$66  & shape[165];
+  assign \$68  = $signed(ahead) + $signed({ 1'h0, group_written });
+  assign \$69  = step & \$signal$10 ;
+  assign \$70  = ~ flushing;
+  assign \$71  = \$69  & \$70 ;
+  assign \$72  = $signed(\$68 ) - $signed({ 1'h0, \$71  });
+  assign \$73  = skipped ? shape[62:48] : 15'h0000;
+  assign \$74  = $signed(\$72 ) - $signed({ 1'h0, \$73  });
+  assign \$75  = step & last;
+  assign \$76  = block + 1'h1;
+  assign \$77  = weight + 1'h1;
+  assign \$78  = ~ \$signal$6 ;
+  assign \$79  = \$signal$4  & \$78 ;
+  assign \$80  = \$signal$8  + 1'h1;
+  assign \$81  = tile + 1'h1;
+  assign \$82  = \$signal$14  + 1'h1;
+  assign \$83  = group_base + shape[107:93];
+  assign \$84  = \$signal$13  | flushing;
+  assign \$85  = \$signal$16  + 1'h1;
+  assign \$86  = \$signal$15  | flushing;
+  assign \$87  = ! shape[64:63];
+  assign \$88  = ~ flushing;
+  assign \$89  = \$87  & \$88 ;
+  assign \$90  = shape[15:0] == 1'h1;
+  assign \$91  = \$90  | shape[164];
+  assign \$92  = - shape[62:48];
+  assign \$93  = \$91  ? 16'h0000 : \$92 ;
+  assign \$94  = \$signal$6  ? shape[92:79] : 14'h0000;
+  assign \$95  = group_base + \$94 ;
+  assign \$97  = \$95  + \$96 ;
+  assign \$98  = \$signal$6  & \$signal$13 ;
+  assign \$99  = \$98  & shape[16];
+  assign \$101  = \$99  ? \$100  : \$52 [3:0];
+  assign \$102  = row_exists ? \$101  : 4'h0;
+  assign \$103  = \$signal$15  & \$signal$13 ;
+  assign \$104  = | shape[64:63];
+  assign \$105  = \$103  & \$104 ;
+  assign \$106  = flushing | \$105 ;
+  always @(posedge clk)
+    retire <= \$107 ;
+  always @(posedge clk)
+    retire_row <= \$108 ;
+  always @(posedge clk)
+    ahead <= \$109 ;
+  always @(posedge clk)
+    credits <= \$110 ;
+  always @(posedge clk)
+    block <= \$111 ;
+  always @(posedge clk)
+    weight <= \$112 ;
+  always @(posedge clk)
+    \$signal$6  <= \$113 ;
+  always @(posedge clk)
+    \$signal$8  <= \$114 ;
+  always @(posedge clk)
+    tile <= \$115 ;
+  always @(posedge clk)
+    \$signal$14  <= \$116 ;
+  always @(posedge clk)
+    group_base <= \$117 ;
+  always @(posedge clk)
+    \$signal$16  <= \$118 ;
+  always @(posedge clk)
+    flushing <= \$119 ;
+  always @(posedge clk)
+    busy <= \$120 ;
+  always @(posedge clk)
+    valid <= \$121 ;
+  always @(posedge clk)
+    \step$45  <= \$122 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$74  = \$50 [17:0];
+    \$107  = \$65 ;
     if (start) begin
-      \$74  = { \$66 [15], \$66 [15], \$66  };
+      \$107  = 1'h0;
     end
     if (soft_reset) begin
-      \$74  = 18'h00000;
+      \$107  = 1'h0;
     end
     if (rst) begin
-      \$74  = 18'h00000;
+      \$107  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$75  = credits;
+    \$108  = \$67 ;
+    if (start) begin
+      \$108  = 1'h0;
+    end
+    if (soft_reset) begin
+      \$108  = 1'h0;
+    end
+    if (rst) begin
+      \$108  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$109  = \$74 [17:0];
+    if (start) begin
+      \$109  = { \$93 [15], \$93 [15], \$93  };
+    end
+    if (soft_reset) begin
+      \$109  = 18'h00000;
+    end
+    if (rst) begin
+      \$109  = 18'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$110  = credits;
     if (credit) begin
-      \$75  = 1'h1;
-    end else if (\$51 ) begin
-      \$75  = 1'h0;
+      \$110  = 1'h1;
+    end else if (\$75 ) begin
+      \$110  = 1'h0;
     end
     if (start) begin
-      \$75  = 1'h1;
+      \$110  = 1'h1;
     end
     if (soft_reset) begin
-      \$75  = 1'h0;
+      \$110  = 1'h0;
     end
     if (rst) begin
-      \$75  = 1'h0;
+      \$110  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$76  = block;
+    \$111  = block;
     if (step) begin
-      \$76  = \$52 [13:0];
+      \$111  = \$76 [13:0];
       if (\$signal ) begin
-        \$76  = 14'h0000;
+        \$111  = 14'h0000;
       end
     end
     if (start) begin
-      \$76  = 14'h0000;
+      \$111  = 14'h0000;
     end
     if (soft_reset) begin
-      \$76  = 14'h0000;
+      \$111  = 14'h0000;
     end
     if (rst) begin
-      \$76  = 14'h0000;
+      \$111  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$77  = weight;
+    \$112  = weight;
     if (step) begin
-      \$77  = \$53 [9:0];
+      \$112  = \$77 [10:0];
       if (last) begin
-        if (\$signal$9 ) begin
-          \$77  = 10'h000;
+        if (\$signal$12 ) begin
+          \$112  = { 1'h0, weight_base };
         end
       end
     end
     if (start) begin
-      \$77  = 10'h000;
+      \$112  = { 1'h0, weight_base };
     end
     if (soft_reset) begin
-      \$77  = 10'h000;
+      \$112  = 11'h000;
     end
     if (rst) begin
-      \$77  = 10'h000;
+      \$112  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$78  = \$signal$5 ;
+    \$113  = \$signal$6 ;
     if (step) begin
       if (\$signal ) begin
-        \$78  = \$54 [1:0];
+        \$113  = \$79 ;
       end
       if (last) begin
-        \$78  = 2'h0;
+        \$113  = 1'h0;
       end
     end
     if (start) begin
-      \$78  = 2'h0;
+      \$113  = 1'h0;
     end
     if (soft_reset) begin
-      \$78  = 2'h0;
+      \$113  = 1'h0;
     end
     if (rst) begin
-      \$78  = 2'h0;
+      \$113  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$79  = tile;
+    \$114  = \$signal$8 ;
+    if (step) begin
+      if (kernel_row_last) begin
+        \$114  = \$80 [1:0];
+      end
+      if (last) begin
+        \$114  = 2'h0;
+      end
+    end
+    if (start) begin
+      \$114  = 2'h0;
+    end
+    if (soft_reset) begin
+      \$114  = 2'h0;
+    end
+    if (rst) begin
+      \$114  = 2'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$115  = tile;
     if (step) begin
       if (last) begin
-        \$79  = \$55 [11:0];
-        if (\$signal$9 ) begin
-          \$79  = 12'h000;
+        \$115  = \$81 [11:0];
+        if (\$signal$12 ) begin
+          \$115  = 12'h000;
         end
       end
     end
     if (start) begin
-      \$79  = 12'h000;
+      \$115  = 12'h000;
     end
     if (soft_reset) begin
-      \$79  = 12'h000;
+      \$115  = 12'h000;
     end
     if (rst) begin
-      \$79  = 12'h000;
+      \$115  = 12'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$80  = \$signal$11 ;
+    \$116  = \$signal$14 ;
     if (step) begin
       if (last) begin
-        if (\$signal$9 ) begin
-          \$80  = \$56 [14:0];
-          if (\$58 ) begin
-            \$80  = 15'h0000;
+        if (\$signal$12 ) begin
+          \$116  = \$82 [14:0];
+          if (\$84 ) begin
+            \$116  = 15'h0000;
           end
         end
       end
     end
     if (start) begin
-      \$80  = 15'h0000;
+      \$116  = 15'h0000;
     end
     if (soft_reset) begin
-      \$80  = 15'h0000;
+      \$116  = 15'h0000;
     end
     if (rst) begin
-      \$80  = 15'h0000;
+      \$116  = 15'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$81  = group_base;
+    \$117  = group_base;
     if (step) begin
       if (last) begin
-        if (\$signal$9 ) begin
-          \$81  = \$57 [8:0];
-          if (\$58 ) begin
-            \$81  = 9'h000;
+        if (\$signal$12 ) begin
+          \$117  = \$83 [8:0];
+          if (\$84 ) begin
+            \$117  = 9'h000;
           end
         end
       end
     end
     if (start) begin
-      \$81  = 9'h000;
+      \$117  = 9'h000;
     end
     if (soft_reset) begin
-      \$81  = 9'h000;
+      \$117  = 9'h000;
     end
     if (rst) begin
-      \$81  = 9'h000;
+      \$117  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$82  = \$signal$13 ;
+    \$118  = \$signal$16 ;
     if (step) begin
       if (last) begin
-        if (\$signal$9 ) begin
-          if (\$58 ) begin
-            \$82  = \$59 [15:0];
+        if (\$signal$12 ) begin
+          if (\$84 ) begin
+            \$118  = \$85 [15:0];
           end
         end
       end
     end
     if (start) begin
-      \$82  = 16'h0000;
+      \$118  = 16'h0000;
     end
     if (soft_reset) begin
-      \$82  = 16'h0000;
+      \$118  = 16'h0000;
     end
     if (rst) begin
-      \$82  = 16'h0000;
+      \$118  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$83  = flushing;
+    \$119  = flushing;
     if (step) begin
       if (last) begin
-        if (\$signal$9 ) begin
-          if (\$58 ) begin
-            if (\$60 ) begin
+        if (\$signal$12 ) begin
+          if (\$84 ) begin
+            if (\$86 ) begin
               (* full_case = 32'd1 *)
-              if (\$63 ) begin
-                \$83  = 1'h1;
+              if (\$89 ) begin
+                \$119  = 1'h1;
               end else begin
-                \$83  = 1'h0;
+                \$119  = 1'h0;
               end
             end
           end
@@ -8748,27 +9507,27 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
       end
     end
     if (start) begin
-      \$83  = 1'h0;
+      \$119  = 1'h0;
     end
     if (soft_reset) begin
-      \$83  = 1'h0;
+      \$119  = 1'h0;
     end
     if (rst) begin
-      \$83  = 1'h0;
+      \$119  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$84  = busy;
+    \$120  = busy;
     if (step) begin
       if (last) begin
-        if (\$signal$9 ) begin
-          if (\$58 ) begin
-            if (\$60 ) begin
+        if (\$signal$12 ) begin
+          if (\$84 ) begin
+            if (\$86 ) begin
               (* full_case = 32'd1 *)
-              if (\$63 ) begin
+              if (\$89 ) begin
               end else begin
-                \$84  = 1'h0;
+                \$120  = 1'h0;
               end
             end
           end
@@ -8776,89 +9535,99 @@ module \macram_top.array.sequencer (rst, start, starved, blocked, issue, retire,
       end
     end
     if (start) begin
-      \$84  = 1'h1;
+      \$120  = 1'h1;
     end
     if (soft_reset) begin
-      \$84  = 1'h0;
+      \$120  = 1'h0;
     end
     if (rst) begin
-      \$84  = 1'h0;
+      \$120  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$85  = step;
+    \$121  = step;
     if (soft_reset) begin
-      \$85  = 1'h0;
+      \$121  = 1'h0;
     end
     if (rst) begin
-      \$85  = 1'h0;
+      \$121  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$86 [1:0] = source_row[1:0];
-    \$86 [9:2] = \$68 [7:0];
-    \$86 [10] = block[0];
-    \$86 [14:11] = \$69 ;
-    \$86 [23:15] = weight[8:0];
-    \$86 [24] = step;
-    \$86 [25] = \$signal$4 ;
-    \$86 [26] = last;
-    \$86 [27] = \edge ;
-    \$86 [31:28] = tile[3:0];
-    \$86 [35:32] = tile[3:0];
-    \$86 [36] = \$signal$9 ;
-    \$86 [40:37] = slots;
-    \$86 [41] = \$73 ;
+    \$122 [1:0] = \$43 [1:0];
+    \$122 [9:2] = \$97 [7:0];
+    \$122 [10] = block[0];
+    \$122 [14:11] = \$102 ;
+    \$122 [24:15] = weight[9:0];
+    \$122 [25] = step;
+    \$122 [26] = \$signal$7 ;
+    \$122 [27] = last;
+    \$122 [28] = \edge ;
+    \$122 [32:29] = tile[3:0];
+    \$122 [36:33] = tile[3:0];
+    \$122 [37] = \$signal$12 ;
+    \$122 [41:38] = slots;
+    \$122 [42] = \edge ;
+    \$122 [43] = \$106 ;
     if (soft_reset) begin
-      \$86  = 42'h00000000000;
+      \$122  = 44'h00000000000;
     end
     if (rst) begin
-      \$86  = 42'h00000000000;
+      \$122  = 44'h00000000000;
     end
   end
-  assign pixels = \$36 [3:0];
+  assign source_row_below = \$36 [16:0];
+  assign source_row = \$43 [17:0];
+  assign pixels = \$52 [3:0];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
-  assign \shape.groups  = shape[46:32];
-  assign \shape.tail  = shape[48:47];
-  assign \shape.blocks  = shape[62:49];
-  assign \shape.ingest_words  = shape[76:63];
-  assign \shape.tiles  = shape[88:77];
-  assign \shape.output_words  = shape[100:89];
-  assign \shape.beats_in  = shape[116:101];
-  assign \shape.beats_out  = shape[132:117];
-  assign \step$37.read  = \step$37 [14:0];
-  assign \step$37.read.slot  = \step$37 [1:0];
-  assign \step$37.read.address  = \step$37 [9:2];
-  assign \step$37.read.bank  = \step$37 [10];
-  assign \step$37.read.mask  = \step$37 [14:11];
-  assign \step$37.weight  = \step$37 [23:15];
-  assign \step$37.control  = \step$37 [31:24];
-  assign \step$37.control.en  = \step$37 [24];
-  assign \step$37.control.first  = \step$37 [25];
-  assign \step$37.control.last  = \step$37 [26];
-  assign \step$37.control.edge  = \step$37 [27];
-  assign \step$37.control.tile  = \step$37 [31:28];
-  assign \step$37.info  = \step$37 [41:32];
-  assign \step$37.info.tile  = \step$37 [35:32];
-  assign \step$37.info.tile_last  = \step$37 [36];
-  assign \step$37.info.slots  = \step$37 [40:37];
-  assign \step$37.info.image_last  = \step$37 [41];
-  assign slots[3] = \$45 ;
-  assign slots[2] = \$43 ;
-  assign slots[1] = \$41 ;
-  assign slots[0] = \$40 ;
-  assign \$67  = { 1'h0, block[13:1] };
+  assign \shape.out_height  = shape[47:32];
+  assign \shape.groups  = shape[62:48];
+  assign \shape.tail  = shape[64:63];
+  assign \shape.blocks  = shape[78:65];
+  assign \shape.ingest_words  = shape[92:79];
+  assign \shape.column_words  = shape[107:93];
+  assign \shape.tiles  = shape[119:108];
+  assign \shape.output_words  = shape[131:120];
+  assign \shape.beats_in  = shape[147:132];
+  assign \shape.beats_out  = shape[163:148];
+  assign \shape.pointwise  = shape[164];
+  assign \shape.halved  = shape[165];
+  assign \shape.biased  = shape[166];
+  assign \step$45.read  = \step$45 [14:0];
+  assign \step$45.read.slot  = \step$45 [1:0];
+  assign \step$45.read.address  = \step$45 [9:2];
+  assign \step$45.read.bank  = \step$45 [10];
+  assign \step$45.read.mask  = \step$45 [14:11];
+  assign \step$45.weight  = \step$45 [24:15];
+  assign \step$45.control  = \step$45 [32:25];
+  assign \step$45.control.en  = \step$45 [25];
+  assign \step$45.control.first  = \step$45 [26];
+  assign \step$45.control.last  = \step$45 [27];
+  assign \step$45.control.edge  = \step$45 [28];
+  assign \step$45.control.tile  = \step$45 [32:29];
+  assign \step$45.info  = \step$45 [43:33];
+  assign \step$45.info.tile  = \step$45 [36:33];
+  assign \step$45.info.tile_last  = \step$45 [37];
+  assign \step$45.info.slots  = \step$45 [41:38];
+  assign \step$45.info.edge  = \step$45 [42];
+  assign \step$45.info.image_last  = \step$45 [43];
+  assign slots[3] = \$61 ;
+  assign slots[2] = \$59 ;
+  assign slots[1] = \$57 ;
+  assign slots[0] = \$56 ;
+  assign \$96  = { 1'h0, block[13:1] };
+  assign \$100  = { 1'h0, \$52 [3:1] };
 endmodule
 
 module \macram_top.array.unit000 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -8904,11 +9673,11 @@ module \macram_top.array.unit000 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -8925,8 +9694,8 @@ module \macram_top.array.unit000 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_000.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -8979,11 +9748,11 @@ module \macram_top.array.unit000 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit001 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -9029,11 +9798,11 @@ module \macram_top.array.unit001 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -9050,8 +9819,8 @@ module \macram_top.array.unit001 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_001.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -9104,11 +9873,11 @@ module \macram_top.array.unit001 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit002 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -9154,11 +9923,11 @@ module \macram_top.array.unit002 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -9175,8 +9944,8 @@ module \macram_top.array.unit002 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_002.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -9229,11 +9998,11 @@ module \macram_top.array.unit002 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit003 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -9279,11 +10048,11 @@ module \macram_top.array.unit003 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -9300,8 +10069,8 @@ module \macram_top.array.unit003 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_003.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -9354,11 +10123,11 @@ module \macram_top.array.unit003 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit004 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -9404,11 +10173,11 @@ module \macram_top.array.unit004 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -9425,8 +10194,8 @@ module \macram_top.array.unit004 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_004.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -9479,11 +10248,11 @@ module \macram_top.array.unit004 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit005 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -9529,11 +10298,11 @@ module \macram_top.array.unit005 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -9550,8 +10319,8 @@ module \macram_top.array.unit005 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_005.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -9604,11 +10373,11 @@ module \macram_top.array.unit005 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit006 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -9654,11 +10423,11 @@ module \macram_top.array.unit006 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -9675,8 +10444,8 @@ module \macram_top.array.unit006 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_006.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -9729,11 +10498,11 @@ module \macram_top.array.unit006 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit007 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -9779,11 +10548,11 @@ module \macram_top.array.unit007 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -9800,8 +10569,8 @@ module \macram_top.array.unit007 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_007.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -9854,11 +10623,11 @@ module \macram_top.array.unit007 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit008 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -9904,11 +10673,11 @@ module \macram_top.array.unit008 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -9925,8 +10694,8 @@ module \macram_top.array.unit008 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_008.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -9979,11 +10748,11 @@ module \macram_top.array.unit008 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit009 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -10029,11 +10798,11 @@ module \macram_top.array.unit009 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -10050,8 +10819,8 @@ module \macram_top.array.unit009 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_009.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -10104,11 +10873,11 @@ module \macram_top.array.unit009 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit010 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -10154,11 +10923,11 @@ module \macram_top.array.unit010 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -10175,8 +10944,8 @@ module \macram_top.array.unit010 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_010.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -10229,11 +10998,11 @@ module \macram_top.array.unit010 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit011 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -10279,11 +11048,11 @@ module \macram_top.array.unit011 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -10300,8 +11069,8 @@ module \macram_top.array.unit011 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_011.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -10354,11 +11123,11 @@ module \macram_top.array.unit011 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit012 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -10404,11 +11173,11 @@ module \macram_top.array.unit012 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -10425,8 +11194,8 @@ module \macram_top.array.unit012 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_012.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -10479,11 +11248,11 @@ module \macram_top.array.unit012 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit013 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -10529,11 +11298,11 @@ module \macram_top.array.unit013 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -10550,8 +11319,8 @@ module \macram_top.array.unit013 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_013.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -10604,11 +11373,11 @@ module \macram_top.array.unit013 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit014 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -10654,11 +11423,11 @@ module \macram_top.array.unit014 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -10675,8 +11444,8 @@ module \macram_top.array.unit014 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_014.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -10729,11 +11498,11 @@ module \macram_top.array.unit014 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit015 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -10779,11 +11548,11 @@ module \macram_top.array.unit015 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -10800,8 +11569,8 @@ module \macram_top.array.unit015 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_015.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -10854,11 +11623,11 @@ module \macram_top.array.unit015 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit016 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -10904,11 +11673,11 @@ module \macram_top.array.unit016 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -10925,8 +11694,8 @@ module \macram_top.array.unit016 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_016.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -10979,11 +11748,11 @@ module \macram_top.array.unit016 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit017 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -11029,11 +11798,11 @@ module \macram_top.array.unit017 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -11050,8 +11819,8 @@ module \macram_top.array.unit017 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_017.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -11104,11 +11873,11 @@ module \macram_top.array.unit017 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit018 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -11154,11 +11923,11 @@ module \macram_top.array.unit018 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -11175,8 +11944,8 @@ module \macram_top.array.unit018 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_018.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -11229,11 +11998,11 @@ module \macram_top.array.unit018 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit019 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -11279,11 +12048,11 @@ module \macram_top.array.unit019 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -11300,8 +12069,8 @@ module \macram_top.array.unit019 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_019.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -11354,11 +12123,11 @@ module \macram_top.array.unit019 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit020 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -11404,11 +12173,11 @@ module \macram_top.array.unit020 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -11425,8 +12194,8 @@ module \macram_top.array.unit020 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_020.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -11479,11 +12248,11 @@ module \macram_top.array.unit020 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit021 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -11529,11 +12298,11 @@ module \macram_top.array.unit021 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -11550,8 +12319,8 @@ module \macram_top.array.unit021 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_021.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -11604,11 +12373,11 @@ module \macram_top.array.unit021 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit022 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -11654,11 +12423,11 @@ module \macram_top.array.unit022 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -11675,8 +12444,8 @@ module \macram_top.array.unit022 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_022.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -11729,11 +12498,11 @@ module \macram_top.array.unit022 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit023 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -11779,11 +12548,11 @@ module \macram_top.array.unit023 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -11800,8 +12569,8 @@ module \macram_top.array.unit023 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_023.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -11854,11 +12623,11 @@ module \macram_top.array.unit023 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit024 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -11904,11 +12673,11 @@ module \macram_top.array.unit024 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -11925,8 +12694,8 @@ module \macram_top.array.unit024 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_024.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -11979,11 +12748,11 @@ module \macram_top.array.unit024 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit025 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -12029,11 +12798,11 @@ module \macram_top.array.unit025 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -12050,8 +12819,8 @@ module \macram_top.array.unit025 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_025.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -12104,11 +12873,11 @@ module \macram_top.array.unit025 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit026 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -12154,11 +12923,11 @@ module \macram_top.array.unit026 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -12175,8 +12944,8 @@ module \macram_top.array.unit026 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_026.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -12229,11 +12998,11 @@ module \macram_top.array.unit026 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit027 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -12279,11 +13048,11 @@ module \macram_top.array.unit027 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -12300,8 +13069,8 @@ module \macram_top.array.unit027 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_027.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -12354,11 +13123,11 @@ module \macram_top.array.unit027 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit028 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -12404,11 +13173,11 @@ module \macram_top.array.unit028 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -12425,8 +13194,8 @@ module \macram_top.array.unit028 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_028.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -12479,11 +13248,11 @@ module \macram_top.array.unit028 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit029 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -12529,11 +13298,11 @@ module \macram_top.array.unit029 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -12550,8 +13319,8 @@ module \macram_top.array.unit029 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_029.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -12604,11 +13373,11 @@ module \macram_top.array.unit029 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit030 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -12654,11 +13423,11 @@ module \macram_top.array.unit030 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -12675,8 +13444,8 @@ module \macram_top.array.unit030 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_030.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -12729,11 +13498,11 @@ module \macram_top.array.unit030 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit031 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -12779,11 +13548,11 @@ module \macram_top.array.unit031 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -12800,8 +13569,8 @@ module \macram_top.array.unit031 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_031.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -12854,11 +13623,11 @@ module \macram_top.array.unit031 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit032 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -12904,11 +13673,11 @@ module \macram_top.array.unit032 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -12925,8 +13694,8 @@ module \macram_top.array.unit032 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_032.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -12979,11 +13748,11 @@ module \macram_top.array.unit032 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit033 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -13029,11 +13798,11 @@ module \macram_top.array.unit033 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -13050,8 +13819,8 @@ module \macram_top.array.unit033 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_033.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -13104,11 +13873,11 @@ module \macram_top.array.unit033 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit034 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -13154,11 +13923,11 @@ module \macram_top.array.unit034 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -13175,8 +13944,8 @@ module \macram_top.array.unit034 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_034.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -13229,11 +13998,11 @@ module \macram_top.array.unit034 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit035 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -13279,11 +14048,11 @@ module \macram_top.array.unit035 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -13300,8 +14069,8 @@ module \macram_top.array.unit035 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_035.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -13354,11 +14123,11 @@ module \macram_top.array.unit035 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit036 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -13404,11 +14173,11 @@ module \macram_top.array.unit036 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -13425,8 +14194,8 @@ module \macram_top.array.unit036 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_036.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -13479,11 +14248,11 @@ module \macram_top.array.unit036 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit037 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -13529,11 +14298,11 @@ module \macram_top.array.unit037 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -13550,8 +14319,8 @@ module \macram_top.array.unit037 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_037.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -13604,11 +14373,11 @@ module \macram_top.array.unit037 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit038 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -13654,11 +14423,11 @@ module \macram_top.array.unit038 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -13675,8 +14444,8 @@ module \macram_top.array.unit038 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_038.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -13729,11 +14498,11 @@ module \macram_top.array.unit038 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit039 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -13779,11 +14548,11 @@ module \macram_top.array.unit039 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -13800,8 +14569,8 @@ module \macram_top.array.unit039 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_039.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -13854,11 +14623,11 @@ module \macram_top.array.unit039 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit040 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -13904,11 +14673,11 @@ module \macram_top.array.unit040 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -13925,8 +14694,8 @@ module \macram_top.array.unit040 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_040.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -13979,11 +14748,11 @@ module \macram_top.array.unit040 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit041 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -14029,11 +14798,11 @@ module \macram_top.array.unit041 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -14050,8 +14819,8 @@ module \macram_top.array.unit041 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_041.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -14104,11 +14873,11 @@ module \macram_top.array.unit041 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit042 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -14154,11 +14923,11 @@ module \macram_top.array.unit042 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -14175,8 +14944,8 @@ module \macram_top.array.unit042 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_042.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -14229,11 +14998,11 @@ module \macram_top.array.unit042 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit043 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -14279,11 +15048,11 @@ module \macram_top.array.unit043 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -14300,8 +15069,8 @@ module \macram_top.array.unit043 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_043.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -14354,11 +15123,11 @@ module \macram_top.array.unit043 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit044 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -14404,11 +15173,11 @@ module \macram_top.array.unit044 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -14425,8 +15194,8 @@ module \macram_top.array.unit044 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_044.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -14479,11 +15248,11 @@ module \macram_top.array.unit044 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit045 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -14529,11 +15298,11 @@ module \macram_top.array.unit045 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -14550,8 +15319,8 @@ module \macram_top.array.unit045 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_045.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -14604,11 +15373,11 @@ module \macram_top.array.unit045 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit046 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -14654,11 +15423,11 @@ module \macram_top.array.unit046 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -14675,8 +15444,8 @@ module \macram_top.array.unit046 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_046.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -14729,11 +15498,11 @@ module \macram_top.array.unit046 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit047 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -14779,11 +15548,11 @@ module \macram_top.array.unit047 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -14800,8 +15569,8 @@ module \macram_top.array.unit047 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_047.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -14854,11 +15623,11 @@ module \macram_top.array.unit047 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit048 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -14904,11 +15673,11 @@ module \macram_top.array.unit048 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -14925,8 +15694,8 @@ module \macram_top.array.unit048 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_048.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -14979,11 +15748,11 @@ module \macram_top.array.unit048 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit049 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -15029,11 +15798,11 @@ module \macram_top.array.unit049 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -15050,8 +15819,8 @@ module \macram_top.array.unit049 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_049.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -15104,11 +15873,11 @@ module \macram_top.array.unit049 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit050 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -15154,11 +15923,11 @@ module \macram_top.array.unit050 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -15175,8 +15944,8 @@ module \macram_top.array.unit050 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_050.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -15229,11 +15998,11 @@ module \macram_top.array.unit050 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit051 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -15279,11 +16048,11 @@ module \macram_top.array.unit051 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -15300,8 +16069,8 @@ module \macram_top.array.unit051 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_051.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -15354,11 +16123,11 @@ module \macram_top.array.unit051 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit052 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -15404,11 +16173,11 @@ module \macram_top.array.unit052 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -15425,8 +16194,8 @@ module \macram_top.array.unit052 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_052.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -15479,11 +16248,11 @@ module \macram_top.array.unit052 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit053 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -15529,11 +16298,11 @@ module \macram_top.array.unit053 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -15550,8 +16319,8 @@ module \macram_top.array.unit053 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_053.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -15604,11 +16373,11 @@ module \macram_top.array.unit053 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit054 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -15654,11 +16423,11 @@ module \macram_top.array.unit054 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -15675,8 +16444,8 @@ module \macram_top.array.unit054 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_054.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -15729,11 +16498,11 @@ module \macram_top.array.unit054 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit055 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -15779,11 +16548,11 @@ module \macram_top.array.unit055 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -15800,8 +16569,8 @@ module \macram_top.array.unit055 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_055.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -15854,11 +16623,11 @@ module \macram_top.array.unit055 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit056 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -15904,11 +16673,11 @@ module \macram_top.array.unit056 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -15925,8 +16694,8 @@ module \macram_top.array.unit056 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_056.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -15979,11 +16748,11 @@ module \macram_top.array.unit056 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit057 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -16029,11 +16798,11 @@ module \macram_top.array.unit057 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -16050,8 +16819,8 @@ module \macram_top.array.unit057 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_057.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -16104,11 +16873,11 @@ module \macram_top.array.unit057 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit058 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -16154,11 +16923,11 @@ module \macram_top.array.unit058 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -16175,8 +16944,8 @@ module \macram_top.array.unit058 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_058.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -16229,11 +16998,11 @@ module \macram_top.array.unit058 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit059 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -16279,11 +17048,11 @@ module \macram_top.array.unit059 (rst, core__shift, chain_o, core__chain_i, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -16300,8 +17069,8 @@ module \macram_top.array.unit059 (rst, core__shift, chain_o, core__chain_i, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_059.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -16354,11 +17123,11 @@ module \macram_top.array.unit059 (rst, core__shift, chain_o, core__chain_i, core
 endmodule
 
 module \macram_top.array.unit060 (rst, core__shift, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -16403,11 +17172,11 @@ module \macram_top.array.unit060 (rst, core__shift, chain_o, core__control, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -16424,8 +17193,8 @@ module \macram_top.array.unit060 (rst, core__shift, chain_o, core__control, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_060.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -16479,11 +17248,11 @@ module \macram_top.array.unit060 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.array.unit061 (rst, core__shift, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -16528,11 +17297,11 @@ module \macram_top.array.unit061 (rst, core__shift, chain_o, core__control, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -16549,8 +17318,8 @@ module \macram_top.array.unit061 (rst, core__shift, chain_o, core__control, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_061.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -16604,11 +17373,11 @@ module \macram_top.array.unit061 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.array.unit062 (rst, core__shift, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -16653,11 +17422,11 @@ module \macram_top.array.unit062 (rst, core__shift, chain_o, core__control, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -16674,8 +17443,8 @@ module \macram_top.array.unit062 (rst, core__shift, chain_o, core__control, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_062.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -16729,11 +17498,11 @@ module \macram_top.array.unit062 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
-  wire [8:0] \$signature__addr ;
+  wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
-  input [8:0] address;
-  wire [8:0] address;
+  input [9:0] address;
+  wire [9:0] address;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
@@ -16778,11 +17547,11 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
   input rst;
   wire rst;
   wire shift;
-  wire [80:0] write;
-  wire [8:0] \write.addr ;
+  wire [81:0] write;
+  wire [9:0] \write.addr ;
   wire [71:0] \write.data ;
-  input [8:0] write__addr;
-  wire [8:0] write__addr;
+  input [9:0] write__addr;
+  wire [9:0] write__addr;
   input [71:0] write__data;
   wire [71:0] write__data;
   input write__en;
@@ -16799,8 +17568,8 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
     .weight(core__weight)
   );
   macram_ram #(
-    .ADDR_BITS(32'd9),
-    .DEPTH(32'd512),
+    .ADDR_BITS(32'd10),
+    .DEPTH(32'd1024),
     .INIT_FILE("unit_063.mem"),
     .LANES(32'd1),
     .WIDTH(32'd72)
@@ -16854,26 +17623,26 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, axi__rvalid, axi__rdata, axi__rresp, \port$1059$0 , \port$1061$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, clk);
+, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1214$0 , \port$1220$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
-  wire [3:0] \$11 ;
-  wire [4:0] \$12 ;
-  wire \$13 ;
+  wire \$11 ;
+  wire \$12 ;
+  wire [3:0] \$13 ;
   wire \$14 ;
-  wire \$15 ;
-  wire [3:0] \$16 ;
-  wire \$17 ;
-  reg [4:0] \$18 ;
+  reg [4:0] \$15 ;
+  reg \$16 ;
+  reg [31:0] \$17 ;
+  reg [3:0] \$18 ;
   reg \$19 ;
   wire \$2 ;
-  reg [31:0] \$20 ;
-  reg [3:0] \$21 ;
-  reg \$22 ;
-  reg [3:0] \$23 ;
-  reg \$24 ;
-  reg [1:0] \$25 ;
+  reg [3:0] \$20 ;
+  reg \$21 ;
+  reg [1:0] \$22 ;
+  reg [31:0] \$23 ;
+  reg [31:0] \$24 ;
+  reg [31:0] \$25 ;
   reg [31:0] \$26 ;
   reg [31:0] \$27 ;
   reg [31:0] \$28 ;
@@ -16895,7 +17664,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   reg [4:0] \$signal  = 5'h00;
   reg [31:0] \$signal$12  = 32'd0;
   reg [3:0] \$signal$14  = 4'h0;
-  reg [4:0] \$signal$28  = 5'h00;
+  reg [4:0] \$signal$32  = 5'h00;
   reg address_held = 1'h0;
   input [6:0] axi__araddr;
   wire [6:0] axi__araddr;
@@ -16956,6 +17725,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   reg held = 1'h0;
   input [31:0] input_stalls;
   wire [31:0] input_stalls;
+  input loading;
+  wire loading;
   input [31:0] mac_cycles;
   wire [31:0] mac_cycles;
   wire [31:0] max_channels;
@@ -16963,18 +17734,24 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   reg [31:0] mode = 32'd65795;
   input [31:0] output_stalls;
   wire [31:0] output_stalls;
+  output [31:0] param_base;
+  reg [31:0] param_base = 32'd0;
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
-  input [2:0] \port$1059$0 ;
-  wire [2:0] \port$1059$0 ;
-  input \port$1061$0 ;
-  wire \port$1061$0 ;
+  input \port$1214$0 ;
+  wire \port$1214$0 ;
+  input [2:0] \port$1220$0 ;
+  wire [2:0] \port$1220$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
+  output [31:0] requant_base;
+  reg [31:0] requant_base = 32'd0;
   wire [31:0] row_words;
   input rst;
   wire rst;
   wire [31:0] status;
+  output [31:0] weight_base;
+  reg [31:0] weight_base = 32'd0;
   wire [31:0] weight_depth;
   output [31:0] width;
   reg [31:0] width = 32'd0;
@@ -16989,44 +17766,48 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   assign \$6  = ~ busy;
   assign \$7  = ~ busy;
   assign \$8  = ~ busy;
-  assign \$9  = ~ busy;
-  assign \$10  = ~ busy;
-  assign \$11  = \$signal$14 [0] ? \$signal$12 [3:0] : 4'h0;
-  assign \$13  = | \$12 ;
-  assign \$14  = ~ \$13 ;
-  assign \$15  = \$10  | \$14 ;
-  assign \$16  = \$signal$14 [0] ? \$signal$12 [3:0] : 4'h0;
-  assign \$17  = axi__arvalid & axi__arready;
+  assign \$9  = ~ loading;
+  assign \$10  = ~ loading;
+  assign \$11  = ~ busy;
+  assign \$12  = ~ busy;
+  assign \$13  = \$signal$14 [0] ? \$signal$12 [3:0] : 4'h0;
+  assign \$14  = axi__arvalid & axi__arready;
   always @(posedge clk)
-    \$signal  <= \$18 ;
+    \$signal  <= \$15 ;
   always @(posedge clk)
-    address_held <= \$19 ;
+    address_held <= \$16 ;
   always @(posedge clk)
-    \$signal$12  <= \$20 ;
+    \$signal$12  <= \$17 ;
   always @(posedge clk)
-    \$signal$14  <= \$21 ;
+    \$signal$14  <= \$18 ;
   always @(posedge clk)
-    data_held <= \$22 ;
+    data_held <= \$19 ;
   always @(posedge clk)
-    command <= \$23 ;
+    command <= \$20 ;
   always @(posedge clk)
-    axi__bvalid <= \$24 ;
+    axi__bvalid <= \$21 ;
   always @(posedge clk)
-    axi__bresp <= \$25 ;
+    axi__bresp <= \$22 ;
   always @(posedge clk)
-    height <= \$26 ;
+    height <= \$23 ;
   always @(posedge clk)
-    width <= \$27 ;
+    width <= \$24 ;
   always @(posedge clk)
-    c_in <= \$28 ;
+    c_in <= \$25 ;
   always @(posedge clk)
-    c_out <= \$29 ;
+    c_out <= \$26 ;
   always @(posedge clk)
-    mode <= \$30 ;
+    mode <= \$27 ;
   always @(posedge clk)
-    param_words <= \$31 ;
+    param_words <= \$28 ;
   always @(posedge clk)
-    \$signal$28  <= \$32 ;
+    param_base <= \$29 ;
+  always @(posedge clk)
+    weight_base <= \$30 ;
+  always @(posedge clk)
+    requant_base <= \$31 ;
+  always @(posedge clk)
+    \$signal$32  <= \$32 ;
   always @(posedge clk)
     held <= \$33 ;
   always @(posedge clk)
@@ -17037,18 +17818,53 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
     axi__rresp <= \$36 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$18  = \$signal ;
+    \$15  = \$signal ;
     if (\$1 ) begin
-      \$18  = axi__awaddr[6:2];
+      \$15  = axi__awaddr[6:2];
     end
     if (rst) begin
-      \$18  = 5'h00;
+      \$15  = 5'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$19  = address_held;
+    \$16  = address_held;
     if (\$1 ) begin
+      \$16  = 1'h1;
+    end
+    if (axi__bvalid) begin
+      if (axi__bready) begin
+        \$16  = 1'h0;
+      end
+    end
+    if (rst) begin
+      \$16  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$17  = \$signal$12 ;
+    if (\$2 ) begin
+      \$17  = axi__wdata;
+    end
+    if (rst) begin
+      \$17  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$18  = \$signal$14 ;
+    if (\$2 ) begin
+      \$18  = axi__wstrb;
+    end
+    if (rst) begin
+      \$18  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$19  = data_held;
+    if (\$2 ) begin
       \$19  = 1'h1;
     end
     if (axi__bvalid) begin
@@ -17062,42 +17878,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$20  = \$signal$12 ;
-    if (\$2 ) begin
-      \$20  = axi__wdata;
-    end
-    if (rst) begin
-      \$20  = 32'd0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$21  = \$signal$14 ;
-    if (\$2 ) begin
-      \$21  = axi__wstrb;
-    end
-    if (rst) begin
-      \$21  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$22  = data_held;
-    if (\$2 ) begin
-      \$22  = 1'h1;
-    end
-    if (axi__bvalid) begin
-      if (axi__bready) begin
-        \$22  = 1'h0;
-      end
-    end
-    if (rst) begin
-      \$22  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$23  = 4'h0;
+    \$20  = 4'h0;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
@@ -17113,79 +17894,186 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
             /* empty */;
         5'h0a:
             /* empty */;
+        5'h16:
+            /* empty */;
+        5'h17:
+            /* empty */;
+        5'h18:
+            /* empty */;
         5'h02:
-            if (\$15 ) begin
-              \$23  = \$16 ;
-            end
+            \$20  = \$13 ;
       endcase
     end
     if (rst) begin
-      \$23  = 4'h0;
+      \$20  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$24  = axi__bvalid;
+    \$21  = axi__bvalid;
     if (axi__bvalid) begin
       if (axi__bready) begin
-        \$24  = 1'h0;
+        \$21  = 1'h0;
       end
     end else if (\$3 ) begin
-      \$24  = 1'h1;
+      \$21  = 1'h1;
     end
     if (rst) begin
-      \$24  = 1'h0;
+      \$21  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$25  = axi__bresp;
+    \$22  = axi__bresp;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
-      \$25  = 2'h2;
+      \$22  = 2'h2;
       casez (\$signal )
         5'h05:
             if (\$4 ) begin
-              \$25  = 2'h0;
+              \$22  = 2'h0;
             end
         5'h06:
             if (\$5 ) begin
-              \$25  = 2'h0;
+              \$22  = 2'h0;
             end
         5'h07:
             if (\$6 ) begin
-              \$25  = 2'h0;
+              \$22  = 2'h0;
             end
         5'h08:
             if (\$7 ) begin
-              \$25  = 2'h0;
+              \$22  = 2'h0;
             end
         5'h09:
             if (\$8 ) begin
-              \$25  = 2'h0;
+              \$22  = 2'h0;
             end
         5'h0a:
             if (\$9 ) begin
-              \$25  = 2'h0;
+              \$22  = 2'h0;
+            end
+        5'h16:
+            if (\$10 ) begin
+              \$22  = 2'h0;
+            end
+        5'h17:
+            if (\$11 ) begin
+              \$22  = 2'h0;
+            end
+        5'h18:
+            if (\$12 ) begin
+              \$22  = 2'h0;
             end
         5'h02:
-            if (\$15 ) begin
-              \$25  = 2'h0;
-            end
+            \$22  = 2'h0;
       endcase
     end
     if (rst) begin
-      \$25  = 2'h0;
+      \$22  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$26  = height;
+    \$23  = height;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
         5'h05:
             if (\$4 ) begin
+              if (\$signal$14 [0]) begin
+                \$23 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$23 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$23 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$23 [31:24] = \$signal$12 [31:24];
+              end
+            end
+      endcase
+    end
+    if (rst) begin
+      \$23  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$24  = width;
+    if (axi__bvalid) begin
+    end else if (\$3 ) begin
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            if (\$5 ) begin
+              if (\$signal$14 [0]) begin
+                \$24 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$24 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$24 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$24 [31:24] = \$signal$12 [31:24];
+              end
+            end
+      endcase
+    end
+    if (rst) begin
+      \$24  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$25  = c_in;
+    if (axi__bvalid) begin
+    end else if (\$3 ) begin
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            if (\$6 ) begin
+              if (\$signal$14 [0]) begin
+                \$25 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$25 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$25 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$25 [31:24] = \$signal$12 [31:24];
+              end
+            end
+      endcase
+    end
+    if (rst) begin
+      \$25  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$26  = c_out;
+    if (axi__bvalid) begin
+    end else if (\$3 ) begin
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            if (\$7 ) begin
               if (\$signal$14 [0]) begin
                 \$26 [7:0] = \$signal$12 [7:0];
               end
@@ -17207,14 +18095,20 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$27  = width;
+    \$27  = mode;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
         5'h05:
             /* empty */;
         5'h06:
-            if (\$5 ) begin
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            if (\$8 ) begin
               if (\$signal$14 [0]) begin
                 \$27 [7:0] = \$signal$12 [7:0];
               end
@@ -17231,12 +18125,12 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       endcase
     end
     if (rst) begin
-      \$27  = 32'd0;
+      \$27  = 32'd65795;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$28  = c_in;
+    \$28  = param_words;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
@@ -17245,7 +18139,13 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h06:
             /* empty */;
         5'h07:
-            if (\$6 ) begin
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            /* empty */;
+        5'h0a:
+            if (\$9 ) begin
               if (\$signal$14 [0]) begin
                 \$28 [7:0] = \$signal$12 [7:0];
               end
@@ -17267,7 +18167,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$29  = c_out;
+    \$29  = param_base;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
@@ -17278,7 +18178,13 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h07:
             /* empty */;
         5'h08:
-            if (\$7 ) begin
+            /* empty */;
+        5'h09:
+            /* empty */;
+        5'h0a:
+            /* empty */;
+        5'h16:
+            if (\$10 ) begin
               if (\$signal$14 [0]) begin
                 \$29 [7:0] = \$signal$12 [7:0];
               end
@@ -17300,7 +18206,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$30  = mode;
+    \$30  = weight_base;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
@@ -17313,7 +18219,13 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h08:
             /* empty */;
         5'h09:
-            if (\$8 ) begin
+            /* empty */;
+        5'h0a:
+            /* empty */;
+        5'h16:
+            /* empty */;
+        5'h17:
+            if (\$11 ) begin
               if (\$signal$14 [0]) begin
                 \$30 [7:0] = \$signal$12 [7:0];
               end
@@ -17330,12 +18242,12 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       endcase
     end
     if (rst) begin
-      \$30  = 32'd65795;
+      \$30  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$31  = param_words;
+    \$31  = requant_base;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
@@ -17350,7 +18262,13 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h09:
             /* empty */;
         5'h0a:
-            if (\$9 ) begin
+            /* empty */;
+        5'h16:
+            /* empty */;
+        5'h17:
+            /* empty */;
+        5'h18:
+            if (\$12 ) begin
               if (\$signal$14 [0]) begin
                 \$31 [7:0] = \$signal$12 [7:0];
               end
@@ -17372,8 +18290,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$32  = \$signal$28 ;
-    if (\$17 ) begin
+    \$32  = \$signal$32 ;
+    if (\$14 ) begin
       \$32  = axi__araddr[6:2];
     end
     if (rst) begin
@@ -17383,7 +18301,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
     \$33  = held;
-    if (\$17 ) begin
+    if (\$14 ) begin
       \$33  = 1'h1;
     end
     if (axi__rvalid) begin
@@ -17415,17 +18333,17 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
     if (axi__rvalid) begin
     end else if (held) begin
       \$35  = 32'd0;
-      casez (\$signal$28 )
+      casez (\$signal$32 )
         5'h00:
             \$35  = 32'd1296122706;
         5'h01:
-            \$35  = 32'd65536;
+            \$35  = 32'd131072;
         5'h02:
             \$35  = 32'd0;
         5'h03:
-            \$35  = { 29'h00000000, \port$2$0 , \port$1061$0 , busy };
+            \$35  = { 28'h0000000, loading, \port$2$0 , \port$1214$0 , busy };
         5'h04:
-            \$35  = { 29'h00000000, \port$1059$0  };
+            \$35  = { 29'h00000000, \port$1220$0  };
         5'h05:
             \$35  = height;
         5'h06:
@@ -17455,11 +18373,17 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h12:
             \$35  = 32'd197379;
         5'h13:
-            \$35  = 32'd512;
+            \$35  = 32'd1024;
         5'h14:
             \$35  = 32'd512;
         5'h15:
             \$35  = 32'd67109888;
+        5'h16:
+            \$35  = param_base;
+        5'h17:
+            \$35  = weight_base;
+        5'h18:
+            \$35  = requant_base;
       endcase
     end
     if (rst) begin
@@ -17473,7 +18397,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
     end else if (held) begin
       \$36  = 2'h0;
       (* full_case = 32'd1 *)
-      casez (\$signal$28 )
+      casez (\$signal$32 )
         5'h00:
             /* empty */;
         5'h01:
@@ -17518,6 +18442,12 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
             /* empty */;
         5'h15:
             /* empty */;
+        5'h16:
+            /* empty */;
+        5'h17:
+            /* empty */;
+        5'h18:
+            /* empty */;
         default:
             \$36  = 2'h2;
       endcase
@@ -17526,13 +18456,11 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       \$36  = 2'h0;
     end
   end
-  assign status = { 29'h00000000, \port$2$0 , \port$1061$0 , busy };
-  assign error = { 29'h00000000, \port$1059$0  };
+  assign status = { 28'h0000000, loading, \port$2$0 , \port$1214$0 , busy };
+  assign error = { 29'h00000000, \port$1220$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
-  assign weight_depth = 32'd512;
+  assign weight_depth = 32'd1024;
   assign row_words = 32'd512;
   assign max_channels = 32'd67109888;
-  assign \$12 [3] = 1'h0;
-  assign { \$12 [4], \$12 [2:0] } = { 1'h0, \$11 [2:0] };
 endmodule

@@ -15,6 +15,9 @@ from macram_hw.unit import PimUnit, control_delay
 
 __all__ = ["COUNTERS", "Array", "FrameCheck"]
 
+_SETTINGS = (
+    "height", "width", "c_in", "c_out", "mode", "weight_base", "requant_base", "words", "param_base",
+)  # fmt: skip
 COUNTERS = ("cycles", "mac_cycles", "fill_cycles", "input_stalls", "output_stalls", "drain_cycles")
 
 
@@ -26,6 +29,7 @@ class FrameCheck(wiring.Component):
     Members:
         start: In, open for an image. shape: In.
         i: In stream, `Beat`. o: Out stream, data.
+        open: Out, beats of the image are still to come.
         fault, error: Out, strobe when TLAST comes early or is missing on the last beat.
     """
 
@@ -35,13 +39,14 @@ class FrameCheck(wiring.Component):
             "shape": In(LayerShape()),
             "i": In(stream.Signature(Beat(config.stream_bits))),
             "o": Out(stream.Signature(config.stream_bits)),
+            "open": Out(1),
             "fault": Out(1),
             "error": Out(Error, init=Error.NONE),
         })  # fmt: skip
 
     def elaborate(self, platform):
         m = Module()
-        is_open = Signal()
+        is_open = self.open
         beat, column, row = Signal(16), Signal(16), Signal(16)
         put, pixel_last, row_last, image_last = Signal(), Signal(), Signal(), Signal()
         m.d.comb += [
@@ -76,9 +81,14 @@ class Array(wiring.Component):
     without stalls are in `macram.perf`.
 
     Members:
-        height, width, c_in, c_out, mode, words: In, from the registers; they must not change while busy.
-        command: In, strobes as in `macram.spec.Control`, without the soft reset.
-        busy, done, error: Out. The first error is kept until the next command.
+        height, width, c_in, c_out, mode, weight_base, requant_base: In, from the registers; they must not change
+            while busy.
+        words, param_base: In, from the registers; they must not change while loading.
+        command: In, strobes as in `macram.spec.Control`, without the soft reset. A load may run beside an image,
+            into words that the image's layer does not use. A command that is not possible changes nothing
+            but ``error``.
+        busy: Out, an image is being run. loading: Out, a load is under way. done: Out, the image is complete.
+        error: Out. The first error is kept until the next command that finds the array idle.
         cycles ... drain_cycles: Out, counters of the last run, see the register map.
         i, params: In streams, `Beat`. o: Out stream, `Beat`.
     """
@@ -87,9 +97,10 @@ class Array(wiring.Component):
         self._config = config
         beat = Beat(config.stream_bits)
         super().__init__({
-            **{name: In(32) for name in ("height", "width", "c_in", "c_out", "mode", "words")},
+            **{name: In(32) for name in _SETTINGS},
             "command": In(3),
             "busy": Out(1),
+            "loading": Out(1),
             "done": Out(1),
             "error": Out(Error, init=Error.NONE),
             **{name: Out(32) for name in COUNTERS},
@@ -132,6 +143,9 @@ class Array(wiring.Component):
             ingest.words_per_pixel.eq(shape.ingest_words),
             emit.beats_per_pixel.eq(shape.beats_out),
             lines.retire.eq(sequencer.retire),
+            lines.retire_row.eq(sequencer.retire_row),
+            sequencer.weight_base.eq(self.weight_base),
+            drain.requant_base.eq(self.requant_base),
             lines.read.eq(sequencer.step.read),
             sequencer.group_written.eq(lines.group_written),
             sequencer.image_written.eq(lines.image_written),
@@ -170,41 +184,77 @@ class Array(wiring.Component):
         return m
 
     def _control(self, m, decoder, frame, loader, start, shape):
-        """Commands, the check of the shape, and how a run ends."""
-        m.d.comb += [
-            decoder.height.eq(self.height), decoder.width.eq(self.width),
-            decoder.c_in.eq(self.c_in), decoder.c_out.eq(self.c_out), decoder.mode.eq(self.mode),
-            loader.words.eq(self.words),
-            shape.eq(decoder.shape),
-        ]  # fmt: skip
-        commanded = self.command.any()
-        one_command = (self.command & (self.command - 1)) == 0
-        loading = self.command[1] | self.command[2]
-        depth = Mux(self.command[2], self._config.requant_depth, self._config.weight_depth)
+        """Commands, what they may not do, and how a run ends."""
+        config = self._config
+        for name in ("height", "width", "c_in", "c_out", "mode", "weight_base", "requant_base"):
+            m.d.comb += getattr(decoder, name).eq(getattr(self, name))
         wait = Signal(range(decoder.LATENCY + 1))
         running = Signal()
         m.d.comb += [
-            self.busy.eq(running | loader.busy | (wait != 0)),
-            start.eq((wait == 1) & (decoder.error == Error.NONE)),
+            loader.words.eq(self.words),
+            loader.base.eq(self.param_base),
+            shape.eq(decoder.shape),
+            self.busy.eq(running | (wait != 0)),
+            self.loading.eq(loader.busy),
         ]
+
+        # ---- the words of a load against the memory and against the words of the layer -------------------
+        start_command, load_weights, load_requant = self.command
+        to_requant, load_end = Signal(), Signal(33)
+        beyond, overlaps = Signal(), Signal()
+        m.d.comb += [
+            to_requant.eq(Mux(loader.busy, loader.to_requant, load_requant)),
+            load_end.eq(self.param_base + self.words),
+            beyond.eq(load_end > Mux(to_requant, config.requant_depth, config.weight_depth)),
+            overlaps.eq(
+                (self.param_base < Mux(to_requant, decoder.requant_end, decoder.weight_end))
+                & (load_end > Mux(to_requant, self.requant_base, self.weight_base))
+            ),
+        ]
+
+        # ---- commands ------------------------------------------------------------------------------------
+        commanded, idle = Signal(), Signal()
+        refusal, verdict = Signal(Error, init=Error.NONE), Signal(Error, init=Error.NONE)
+        m.d.comb += [commanded.eq(self.command.any()), idle.eq(~self.busy & ~self.loading)]
+        with m.If((self.command & (self.command - 1)).any()):
+            m.d.comb += refusal.eq(Error.BAD_COMMAND)
+        with m.Elif(start_command):
+            with m.If(self.busy):
+                m.d.comb += refusal.eq(Error.BAD_COMMAND)
+            with m.Else():
+                m.d.sync += [wait.eq(decoder.LATENCY), self.done.eq(0)]
+        with m.Elif(commanded):
+            with m.If(self.loading):
+                m.d.comb += refusal.eq(Error.BAD_COMMAND)
+            with m.Elif((self.words == 0) | beyond | (self.busy & overlaps)):
+                m.d.comb += refusal.eq(Error.BAD_RANGE)
+            with m.Else():
+                m.d.comb += [loader.start_weights.eq(load_weights), loader.start_requant.eq(load_requant)]
         with m.If(wait != 0):
             m.d.sync += wait.eq(wait - 1)
-            with m.If(wait == 1):
-                m.d.sync += [running.eq(decoder.error == Error.NONE), self.error.eq(decoder.error)]
-        with m.If(commanded & ~self.busy):
-            m.d.sync += [self.done.eq(0), self.error.eq(Error.NONE)]
-            with m.If(~one_command | (loading & ((self.words == 0) | (self.words > depth)))):
-                m.d.sync += self.error.eq(Error.BAD_COMMAND)
-            with m.Elif(self.command[0]):
-                m.d.sync += wait.eq(decoder.LATENCY)
+        with m.If(wait == 1):
+            with m.If((decoder.error == Error.NONE) & self.loading & overlaps):
+                m.d.comb += verdict.eq(Error.BAD_RANGE)
             with m.Else():
-                m.d.comb += [
-                    loader.start_weights.eq(self.command[1]), loader.start_requant.eq(self.command[2]),
-                ]  # fmt: skip
-        with m.If(running & self.o.valid & self.o.ready & self.o.payload.last):
-            m.d.sync += [running.eq(0), self.done.eq(1)]
-        with m.If(self.error == Error.NONE):
-            with m.If(frame.fault):
+                m.d.comb += verdict.eq(decoder.error)
+            m.d.comb += start.eq(verdict == Error.NONE)
+            m.d.sync += running.eq(start)
+        # A 1x1 kernel with stride 2 may be through before the last input row, which it does not need, is.
+        delivered = Signal()
+        with m.If(self.o.valid & self.o.ready & self.o.payload.last):
+            m.d.sync += delivered.eq(1)
+        with m.If(running & delivered & ~frame.open):
+            m.d.sync += [running.eq(0), self.done.eq(1), delivered.eq(0)]
+
+        # ---- the first error -----------------------------------------------------------------------------
+        with m.If(commanded & idle):
+            m.d.sync += [self.done.eq(0), self.error.eq(refusal)]
+        with m.Elif(self.error == Error.NONE):
+            with m.If(refusal != Error.NONE):
+                m.d.sync += self.error.eq(refusal)
+            with m.Elif(verdict != Error.NONE):
+                m.d.sync += self.error.eq(verdict)
+            with m.Elif(frame.fault):
                 m.d.sync += self.error.eq(frame.error)
             with m.Elif(loader.fault):
                 m.d.sync += self.error.eq(loader.error)

@@ -6,7 +6,14 @@ from amaranth import Module, Mux, Signal
 from amaranth.lib import wiring
 from amaranth.lib.wiring import In, Out
 
-from macram.spec.registers import ADDRESS_BITS, ID_VALUE, REGISTERS, VERSION_VALUE, Control
+from macram.spec.registers import (
+    ADDRESS_BITS,
+    ID_VALUE,
+    LOAD_REGISTERS,
+    REGISTERS,
+    VERSION_VALUE,
+    Control,
+)  # fmt: skip
 
 __all__ = ["OKAY", "SLVERR", "AxiLite", "AxiLiteRegisters"]
 
@@ -74,10 +81,10 @@ class AxiLiteRegisters(wiring.Component):
     Members besides ``axi``, named after the registers in lower case:
 
     - ``command`` (out, 4): the `Control` bits of an accepted write to CONTROL, for one cycle.
-    - one 32-bit output per RW register: ``height width c_in c_out mode param_words``;
+    - one 32-bit output per RW register, such as ``height``;
     - one 32-bit input per RO register other than ID and VERSION, which are constants;
-    - ``busy`` (in): while it is high, writes to RW registers and commands other than a lone SOFT_RESET are
-      answered SLVERR and change nothing.
+    - ``loading`` (in): while it is high, writes to `LOAD_REGISTERS` are answered SLVERR and change nothing;
+    - ``busy`` (in): while it is high, writes to the other RW registers are.
 
     Writes to RO or unmapped addresses and reads of unmapped addresses are answered SLVERR; such a read gives
     zero, and so does a read of CONTROL. WSTRB is honoured byte by byte; a command needs byte 0. Address bits
@@ -102,6 +109,7 @@ class AxiLiteRegisters(wiring.Component):
                 "axi": In(AxiLite(ADDRESS_BITS)),
                 "command": Out(len(Control)),
                 "busy": In(1),
+                "loading": In(1),
                 **{r.name.lower(): Out(DATA_BITS, init=r.reset) for r in self._stored},
                 **{r.name.lower(): In(DATA_BITS) for r in self._inputs},
             }
@@ -133,13 +141,13 @@ class AxiLiteRegisters(wiring.Component):
             with m.Switch(address):
                 for register in self._stored:
                     with m.Case(register.offset >> 2):
-                        with m.If(~self.busy):
+                        locked = self.loading if register.name in LOAD_REGISTERS else self.busy
+                        with m.If(~locked):
                             m.d.sync += axi.bresp.eq(OKAY)
                             self._store(m, getattr(self, register.name.lower()), data, strobe)
                 with m.Case(_offset("CONTROL") >> 2):
                     wanted = Mux(strobe[0], data[: len(self.command)], 0)
-                    with m.If(~self.busy | ~(wanted & ~Control.SOFT_RESET.value).any()):
-                        m.d.sync += [axi.bresp.eq(OKAY), self.command.eq(wanted)]
+                    m.d.sync += [axi.bresp.eq(OKAY), self.command.eq(wanted)]
 
     @staticmethod
     def _store(m, target, data, strobe):

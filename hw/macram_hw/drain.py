@@ -32,7 +32,7 @@ class Drain(wiring.Component):
     early: `credit_at` cycles into the drain.
 
     Members:
-        shape: In, constant during a run.
+        shape, requant_base: In, constant during a run.
         finished, info: In, strobe when the result registers have been loaded, and for which group.
         heads: In, accumulators at the head of the ``drain`` chains. shift: Out, to all units.
         credit: Out, strobe to the sequencer.
@@ -48,6 +48,7 @@ class Drain(wiring.Component):
         super().__init__({
             "start": In(1),
             "shape": In(LayerShape()),
+            "requant_base": In((config.requant_depth - 1).bit_length()),
             "finished": In(1),
             "info": In(GroupInfo(config)),
             "heads": In(chains),
@@ -109,11 +110,11 @@ class Drain(wiring.Component):
             reload.addr.eq(self.write.addr),
             reload.data.eq(self.write.data),
             reload.en.eq(self.write_en),
-            read.addr.eq(Cat(index, info.tile)),
+            read.addr.eq(Cat(index, info.tile) + self.requant_base),
             requant.parameters.eq(read.data),
             requant.accumulators.eq(heads),
         ]
-        m.d.sync += heads.eq(self.heads)
+        m.d.sync += [heads.eq(self.heads), requant.edge.eq(info.edge)]
 
         # ---- output buffer: written 4 pixels at a time, read one ----------------------------------------
         write_bits = GROUP * config.drain * config.output.bits

@@ -14,7 +14,10 @@ ROWS_HELD = 4
 
 
 class LineRead(data.StructLayout):
-    """A read: row ``slot``, word ``address`` in its bank, ``bank``, and which of the 4 pixels are real."""
+    """A read: row ``slot``, word ``address`` in its bank, ``bank``, and which of the 4 pixels are real.
+
+    With stride 2 a column is a pair of pixels: the words of the even one, then those of the odd one.
+    """
 
     def __init__(self, config: ArrayConfig):
         super().__init__({
@@ -28,14 +31,17 @@ class LineRead(data.StructLayout):
 class LineBuffer(wiring.Component):
     """Row y of the image lies in slot y mod 4; channel block b in bank b mod ``ingest``.
 
-    Write throughput is one ingest word (``ingest`` blocks of one pixel) per cycle. Writing row y + 3 waits
-    until row y is retired. Read latency is `LATENCY` cycles, throughput one word per cycle; pixels that
-    ``mask`` leaves out read as 0, which is the zero padding.
+    Write throughput is one ingest word (``ingest`` blocks of one pixel) per cycle. A group of 4 columns is
+    written once the group four rows above it is retired; for 3x3 kernels row -1, the padding, holds a slot
+    like any other. Read latency is `LATENCY` cycles, throughput one word per cycle; pixels that
+    ``mask`` leaves out read as 0, which is the zero padding. Where ``shape.biased`` the top bit of every code
+    is flipped behind the mask: signed codes, and the padding with them, rise by half their range.
 
     Members:
         start: In, begin an image. shape: In, constant during a run.
-        i: In stream, ingest words. retire: In, strobe: the oldest row is no longer needed.
-        group_written: Out, strobe: 4 more pixels (or the rest of a row) can be read.
+        i: In stream, ingest words.
+        retire: In, strobe: the oldest group is no longer needed. retire_row: In, strobe: a whole row is not.
+        group_written: Out, strobe: 4 more columns (or the rest of a row) can be read.
         image_written: Out, all rows have been written.
         read: In, `LineRead`. word: Out, 4 pixels x ``rows`` channels, pixel-major.
     """
@@ -49,6 +55,7 @@ class LineBuffer(wiring.Component):
             "shape": In(LayerShape()),
             "i": In(stream.Signature(config.ingest * config.block_bits)),
             "retire": In(1),
+            "retire_row": In(1),
             "group_written": Out(1),
             "image_written": Out(1, init=1),
             "read": In(LineRead(config)),
@@ -65,14 +72,19 @@ class LineBuffer(wiring.Component):
         # ---- write side: word in pixel, pixel in row, row in image --------------------------------------
         word, column, row = Signal(14), Signal(16), Signal(16)
         group_base = Signal(row_bits + 1)
-        rows_free = Signal(range(ROWS_HELD))
+        # Retired rows pile up once the last row is written: at most as many as there are slots, and one.
+        free = Signal(range((ROWS_HELD + 2) * per_row + 1))
+        # Of a pair the odd pixel's words lie behind the even one's.
+        lane, odd_words = Signal(2), Signal(14)
         put, pixel_done, row_done, group_done = Signal(), Signal(), Signal(), Signal()
         m.d.comb += [
-            self.i.ready.eq((rows_free != 0) & ~self.image_written),
+            lane.eq(Mux(shape.halved, column[1:3], column[:2])),
+            odd_words.eq(Mux(shape.halved & column[0], shape.ingest_words, 0)),
+            self.i.ready.eq((free != 0) & ~self.image_written),
             put.eq(self.i.valid & self.i.ready),
             pixel_done.eq(put & (word + 1 == shape.ingest_words)),
             row_done.eq(pixel_done & (column + 1 == shape.width)),
-            group_done.eq(row_done | (pixel_done & column[:2].all())),
+            group_done.eq(row_done | (pixel_done & lane.all() & (column[0] | ~shape.halved))),
         ]
         m.d.sync += self.group_written.eq(group_done)
         with m.If(put):
@@ -80,16 +92,17 @@ class LineBuffer(wiring.Component):
         with m.If(pixel_done):
             m.d.sync += column.eq(Mux(row_done, 0, column + 1))
         with m.If(group_done):
-            m.d.sync += group_base.eq(Mux(row_done, 0, group_base + shape.ingest_words))
+            m.d.sync += group_base.eq(Mux(row_done, 0, group_base + shape.column_words))
         with m.If(row_done):
             m.d.sync += row.eq(row + 1)
             with m.If(row + 1 == shape.height):
                 m.d.sync += self.image_written.eq(1)
-        m.d.sync += rows_free.eq(rows_free - row_done + self.retire)
+        m.d.sync += free.eq(free - group_done + self.retire + Mux(self.retire_row, shape.groups, 0))
         with m.If(self.start):
             m.d.sync += [
                 word.eq(0), column.eq(0), row.eq(0), group_base.eq(0),
-                rows_free.eq(ROWS_HELD - 1), self.image_written.eq(0), self.group_written.eq(0),
+                self.image_written.eq(0), self.group_written.eq(0),
+                free.eq(Mux(shape.pointwise, ROWS_HELD, ROWS_HELD - 1) * shape.groups),
             ]  # fmt: skip
 
         # ---- banks --------------------------------------------------------------------------------------
@@ -101,9 +114,9 @@ class LineBuffer(wiring.Component):
             read = store.read_port()
             block = self.i.payload[bank * block_bits : (bank + 1) * block_bits]
             m.d.comb += [
-                write.addr.eq(Cat((group_base + word)[:row_bits], row[:2])),
+                write.addr.eq(Cat((group_base + odd_words + word)[:row_bits], row[:2])),
                 write.data.eq(block.replicate(GROUP)),
-                write.en.eq(Mux(put, 1 << column[:2], 0)),
+                write.en.eq(Mux(put, 1 << lane, 0)),
                 read.addr.eq(Cat(self.read.address[:row_bits], self.read.slot)),
             ]
             words.append(read.data)
@@ -116,8 +129,9 @@ class LineBuffer(wiring.Component):
             for index, value in enumerate(words):
                 with m.Case(index):
                     m.d.comb += picked.eq(value)
-        pixel_bits = config.block_bits
+        half = sum(1 << (i * config.input.bits - 1) for i in range(1, config.rows + 1))
+        raised = Mux(shape.biased, half, 0)
         for pixel in range(GROUP):
-            at = slice(pixel * pixel_bits, (pixel + 1) * pixel_bits)
-            m.d.sync += self.word[at].eq(Mux(mask[pixel], picked[at], 0))
+            at = slice(pixel * block_bits, (pixel + 1) * block_bits)
+            m.d.sync += self.word[at].eq(Mux(mask[pixel], picked[at], 0) ^ raised)
         return m

@@ -21,9 +21,11 @@ class Loader(wiring.Component):
 
     Members:
         start_weights, start_requant: In, strobes. words: In, words per unit, or in all for the requantiser.
+        base: In, address of the first of them. Both must not change while busy.
         i: In stream, `Beat`.
         unit_en: Out, one write enable per unit. weight: Out. requant_en, requant: Out.
-        busy: Out. error: Out, `Error`, valid in the cycle in which ``fault`` is high.
+        busy: Out. to_requant: Out, whether the load goes, or last went, to the requantiser.
+        error: Out, `Error`, valid in the cycle in which ``fault`` is high.
     """
 
     def __init__(self, config: ArrayConfig):
@@ -32,12 +34,14 @@ class Loader(wiring.Component):
             "start_weights": In(1),
             "start_requant": In(1),
             "words": In(32),
+            "base": In(32),
             "i": In(stream.Signature(Beat(config.stream_bits))),
             "unit_en": Out(config.units),
             "weight": Out(WeightWrite(config)),
             "requant_en": Out(1),
             "requant": Out(RequantWrite(config)),
             "busy": Out(1),
+            "to_requant": Out(1),
             "fault": Out(1),
             "error": Out(Error, init=Error.NONE),
         })  # fmt: skip
@@ -50,7 +54,7 @@ class Loader(wiring.Component):
         m = Module()
 
         shifter = Signal(beat * max(weight_beats, requant_beats), reset_less=True)
-        to_requant = Signal()
+        to_requant = self.to_requant
         beat_index = Signal(range(max(weight_beats, requant_beats) + 1))
         word_index = Signal(range(max(config.weight_depth, config.requant_depth) + 1))
         unit = Signal(config.units)
@@ -87,8 +91,8 @@ class Loader(wiring.Component):
         m.d.sync += [
             self.unit_en.eq(Mux(word_done & ~to_requant, unit, 0)),
             self.requant_en.eq(word_done & to_requant),
-            self.weight.addr.eq(word_index),
-            self.requant.addr.eq(word_index),
+            self.weight.addr.eq(self.base + word_index),
+            self.requant.addr.eq(self.base + word_index),
         ]
         m.d.comb += [
             self.weight.data.eq(shifter[-beat * weight_beats :][: config.weight_word_bits]),

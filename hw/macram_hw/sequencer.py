@@ -18,13 +18,14 @@ class GroupInfo(data.StructLayout):
     Fields:
         tile: output-channel tile. tile_last: last tile of the group.
         slots: which of the result's 4 slots are pixels of the image.
+        edge: first group of a row: slot 1 is column 0, slot 0 the last column of the row before.
         image_last: the last group of the image.
     """
 
     def __init__(self, config: ArrayConfig):
         super().__init__({
             "tile": max(1, (config.max_tiles - 1).bit_length()), "tile_last": 1, "slots": GROUP,
-            "image_last": 1,
+            "edge": 1, "image_last": 1,
         })  # fmt: skip
 
 
@@ -41,18 +42,18 @@ class Step(data.StructLayout):
 
 
 class Sequencer(wiring.Component):
-    """Walks rows, groups, tiles, kernel rows, channel blocks, innermost last; one step per cycle.
+    """Walks rows, groups, tiles, kernel rows, pixel phases, channel blocks, innermost last; one step per cycle.
 
-    A 3x3 layer takes ``height * groups * tiles * 3 * blocks`` steps. Result slot 0 of the first group
-    of a row is
-    the last column of the row before, if the width is a multiple of 4; for the last row one flush step per
-    tile brings it out. A group starts only once its pixels, and those of the row below, are in the line
-    buffer;
-    its last step waits for a drain credit. Steps leave one cycle after they are decided.
+    A layer takes ``out_height * groups * tiles * kernel * phases * blocks`` steps. A 3x3 kernel with stride 2
+    has two phases: four even columns, then the four odd ones beside them, each with taps of their own.
+    Result slot 0 of the first group of a row is the last column of the row before, if the width is a
+    multiple of 4; for the last row one flush step per tile brings it out. A group starts only once the last
+    of its pixels are in the line buffer; its last step waits for a drain credit. Steps leave one cycle after
+    they are decided.
 
     Members:
-        start: In, begin an image. shape: In, constant during a run.
-        group_written, image_written: In, from the line buffer. retire: Out, to it.
+        start: In, begin an image. shape, weight_base: In, constant during a run.
+        group_written, image_written: In, from the line buffer. retire, retire_row: Out, to it.
         credit: In, strobe: the result registers will be free in time for one more last step.
         valid, step: Out. busy: Out, steps remain.
         issue, starved, blocked: Out, this cycle decided a multiply-accumulate step, lacked pixels,
@@ -65,9 +66,11 @@ class Sequencer(wiring.Component):
         super().__init__({
             "start": In(1),
             "shape": In(LayerShape()),
+            "weight_base": In((config.weight_depth - 1).bit_length()),
             "group_written": In(1),
             "image_written": In(1),
             "retire": Out(1),
+            "retire_row": Out(1),
             "credit": In(1),
             "valid": Out(1),
             "step": Out(Step(config)),
@@ -83,7 +86,7 @@ class Sequencer(wiring.Component):
         m = Module()
 
         row, group, tile = Signal(16), Signal(15), Signal(12)
-        kernel_row, block = Signal(range(TAPS)), Signal(14)
+        kernel_row, odd, block = Signal(range(TAPS)), Signal(), Signal(14)
         flushing = self.flushing
         # Line-buffer words before this group, and weight words before this step.
         group_base = Signal(range(config.row_words // config.ingest + 1))
@@ -91,18 +94,25 @@ class Sequencer(wiring.Component):
 
         first_of_group, first, last = Signal(), Signal(), Signal()
         block_last, tile_last, group_last, row_last = Signal(), Signal(), Signal(), Signal()
+        two_phases, kernel_row_last = Signal(), Signal()
         m.d.comb += [
             block_last.eq(flushing | (block + 1 == shape.blocks)),
-            first.eq(flushing | ((kernel_row == 0) & (block == 0))),
-            last.eq(flushing | ((kernel_row == TAPS - 1) & block_last)),
+            two_phases.eq(shape.halved & ~shape.pointwise),
+            kernel_row_last.eq(block_last & (odd | ~two_phases)),
+            first.eq(flushing | ((kernel_row == 0) & ~odd & (block == 0))),
+            last.eq(flushing | (kernel_row_last & (shape.pointwise | (kernel_row == TAPS - 1)))),
             first_of_group.eq(first & (tile == 0)),
             tile_last.eq(tile + 1 == shape.tiles),
             group_last.eq(group + 1 == shape.groups),
-            row_last.eq(row + 1 == shape.height),
+            row_last.eq(row + 1 == shape.out_height),
         ]
 
-        # Groups written beyond what the current group needs; it needs the row below down to itself.
+        # Groups written beyond what the current group needs: with a 3x3 kernel, the row below down to itself.
         ahead = Signal(signed(len(group) + 3))
+        # With stride 2 every output row but the first takes two more rows; the last only one if it is all there is.
+        source_row_below = Signal(17)
+        skipped = Signal()
+        step_last = Signal()
         credits = Signal()
         pixels_ready = Signal()
         step = Signal()
@@ -112,9 +122,23 @@ class Sequencer(wiring.Component):
             self.blocked.eq(self.busy & pixels_ready & last & ~credits),
             step.eq(self.busy & pixels_ready & ~(last & ~credits)),
             self.issue.eq(step & ~flushing),
-            self.retire.eq(self.issue & last & tile_last & group_last),
+            step_last.eq(self.issue & last & tile_last),
+            # One more row than the next output row's first.
+            source_row_below.eq(Mux(shape.pointwise, 2 * row + 2, 2 * row + 3)),
+            skipped.eq(step_last & group_last & shape.halved & (source_row_below < shape.height)),
         ]
-        m.d.sync += ahead.eq(ahead + self.group_written - (step & first_of_group & ~flushing))
+        m.d.sync += [
+            # The group above the kernel is read out after the first kernel row of the last tile. A cycle
+            # later, so that the last read of it comes before any write.
+            self.retire.eq(self.issue & tile_last & (kernel_row == 0) & kernel_row_last),
+            self.retire_row.eq(step_last & group_last & shape.halved),
+            ahead.eq(
+                ahead
+                + self.group_written
+                - (step & first_of_group & ~flushing)
+                - Mux(skipped, shape.groups, 0)
+            ),
+        ]
         with m.If(self.credit):
             m.d.sync += credits.eq(1)
         with m.Elif(step & last):
@@ -124,12 +148,14 @@ class Sequencer(wiring.Component):
         with m.If(step):
             m.d.sync += [block.eq(block + 1), weight.eq(weight + 1)]
             with m.If(block_last):
-                m.d.sync += [block.eq(0), kernel_row.eq(kernel_row + 1)]
+                m.d.sync += [block.eq(0), odd.eq(two_phases & ~odd)]
+            with m.If(kernel_row_last):
+                m.d.sync += kernel_row.eq(kernel_row + 1)
             with m.If(last):
-                m.d.sync += [kernel_row.eq(0), tile.eq(tile + 1)]
+                m.d.sync += [kernel_row.eq(0), odd.eq(0), tile.eq(tile + 1)]
                 with m.If(tile_last):
-                    m.d.sync += [tile.eq(0), weight.eq(0), group.eq(group + 1)]
-                    m.d.sync += group_base.eq(group_base + shape.ingest_words)
+                    m.d.sync += [tile.eq(0), weight.eq(self.weight_base), group.eq(group + 1)]
+                    m.d.sync += group_base.eq(group_base + shape.column_words)
                     with m.If(group_last | flushing):
                         m.d.sync += [group.eq(0), group_base.eq(0), row.eq(row + 1)]
                         with m.If(row_last | flushing):
@@ -139,9 +165,10 @@ class Sequencer(wiring.Component):
                                 m.d.sync += [self.busy.eq(0), flushing.eq(0)]
         with m.If(self.start):
             m.d.sync += [
-                row.eq(0), group.eq(0), tile.eq(0), kernel_row.eq(0), block.eq(0), flushing.eq(0),
-                group_base.eq(0), weight.eq(0), self.busy.eq(1), credits.eq(1),
-                ahead.eq(Mux(shape.height == 1, 0, -shape.groups)),
+                row.eq(0), group.eq(0), tile.eq(0), kernel_row.eq(0), odd.eq(0), block.eq(0),
+                flushing.eq(0), group_base.eq(0), weight.eq(self.weight_base), self.busy.eq(1),
+                credits.eq(1), self.retire.eq(0), self.retire_row.eq(0),
+                ahead.eq(Mux((shape.height == 1) | shape.pointwise, 0, -shape.groups)),
             ]  # fmt: skip
 
         # ---- the step that leaves -----------------------------------------------------------------------
@@ -150,7 +177,7 @@ class Sequencer(wiring.Component):
         pixels = Signal(GROUP)
         ingest_bits = (config.ingest - 1).bit_length()
         m.d.comb += [
-            source_row.eq(row + kernel_row - 1),
+            source_row.eq((row << shape.halved) + Mux(shape.pointwise, 0, kernel_row - 1)),
             row_exists.eq((source_row >= 0) & (source_row < shape.height) & ~flushing),
             pixels.eq(Mux(group_last & (shape.tail != 0), (1 << shape.tail) - 1, 0b1111)),
         ]
@@ -168,9 +195,10 @@ class Sequencer(wiring.Component):
         m.d.sync += [
             self.valid.eq(step),
             out.read.slot.eq(source_row[: (ROWS_HELD - 1).bit_length()]),
-            out.read.address.eq(group_base + (block >> ingest_bits)),
+            out.read.address.eq(group_base + Mux(odd, shape.ingest_words, 0) + (block >> ingest_bits)),
             out.read.bank.eq(block[:ingest_bits] if ingest_bits else 0),
-            out.read.mask.eq(Mux(row_exists, pixels, 0)),
+            # Of the last pair in an odd width only the even pixel exists.
+            out.read.mask.eq(Mux(row_exists, Mux(odd & group_last & shape.width[0], pixels >> 1, pixels), 0)),
             out.weight.eq(weight),
             out.control.en.eq(step),
             out.control.first.eq(first),
@@ -180,6 +208,7 @@ class Sequencer(wiring.Component):
             out.info.tile.eq(tile),
             out.info.tile_last.eq(tile_last),
             out.info.slots.eq(slots),
+            out.info.edge.eq(edge),
             out.info.image_last.eq(flushing | (row_last & group_last & (shape.tail != 0))),
         ]
         return m

@@ -55,12 +55,14 @@ class Top(wiring.Component):
             soft_reset.eq(registers.command[Control.SOFT_RESET.bit_length() - 1]),
             array.command.eq(registers.command),
             array.words.eq(registers.param_words),
+            array.param_base.eq(registers.param_base),
             *(
                 getattr(array, n).eq(getattr(registers, n))
-                for n in ("height", "width", "c_in", "c_out", "mode")
+                for n in ("height", "width", "c_in", "c_out", "mode", "weight_base", "requant_base")
             ),
             registers.busy.eq(array.busy),
-            registers.status.eq(Cat(array.busy, array.done, array.error != Error.NONE)),
+            registers.loading.eq(array.loading),
+            registers.status.eq(Cat(array.busy, array.done, array.error != Error.NONE, array.loading)),
             registers.error.eq(array.error),
             *(getattr(registers, name).eq(getattr(array, name)) for name in COUNTERS),
             *(getattr(registers, name).eq(value) for name, value in capabilities(config).items()),

@@ -8,7 +8,7 @@ import os
 import shutil
 import tempfile
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.metadata import version
@@ -56,7 +56,7 @@ class SimulationResult:
 
 
 def simulate(
-    packed: PackedLayer,
+    packed: PackedLayer | Sequence[PackedLayer],
     input_codes: NDArray[np.integer],
     *,
     gaps: str = "none",
@@ -73,7 +73,8 @@ def simulate(
     """Run an image through the exported Verilog of ``packed.array``.
 
     Args:
-        packed: the layer and its array.
+        packed: the layer and its array; or the layer in passes over its output channels, which are always
+            loaded through the stream.
         input_codes: ``[c_in, height, width]``.
         gaps: idle cycles of the sources, one of `macram_sim.streams.PATTERNS`.
         stalls: idle cycles of the sink, likewise.
@@ -93,20 +94,25 @@ def simulate(
         SimulationError: the build or the simulation failed; the message says how to repeat it.
         ToolError: a tool is missing.
     """
-    _check(packed, input_codes, {"gaps": gaps, "stalls": stalls, "load": load}, runs)
+    passes = [packed] if isinstance(packed, PackedLayer) else list(packed)
+    array = passes[0].array
+    _check(passes[0], input_codes, {"gaps": gaps, "stalls": stalls, "load": load}, runs)
     seed = choose_seed(seed)
     started = time.perf_counter()
-    model = build_array(packed.array, waves=waves)
+    model = build_array(array, waves=waves)
     build_seconds = time.perf_counter() - started
     if keep := job_dir is not None:
         folder = Path(job_dir).resolve()
         folder.mkdir(parents=True, exist_ok=True)
     else:
         (build_root() / "jobs").mkdir(parents=True, exist_ok=True)
-        folder = Path(tempfile.mkdtemp(prefix=f"{packed.array.name}-", dir=build_root() / "jobs"))
-    packed.write(folder / "packed")
+        folder = Path(tempfile.mkdtemp(prefix=f"{array.name}-", dir=build_root() / "jobs"))
+    names = [f"pass_{index}" for index in range(len(passes))]
+    for name, part in zip(names, passes, strict=True):
+        part.write(folder / name)
     np.save(folder / "input.npy", input_codes.astype(np.int64))
     options = {"gaps": gaps, "stalls": stalls, "load": load, "seed": seed, "runs": runs, "snoop": snoop}
+    options["passes"] = names
     (folder / "job.json").write_text(json.dumps(options, indent=2) + "\n")
     for stale in ("output.npy", "result.json"):
         (folder / stale).unlink(missing_ok=True)
@@ -116,7 +122,7 @@ def simulate(
         folder / "run",
         seed=seed,
         env={"MACRAM_JOB": str(folder)},
-        files=sorted((folder / "packed").glob("*.mem")) if load == "file" else (),
+        files=sorted((folder / names[0]).glob("*.mem")) if load == "file" else (),
         random_init=random_init,
         waves=waves,
         timeout=timeout,

@@ -1,6 +1,6 @@
 """The cocotb bench of the whole array: runs one job folder, which `macram_sim.array` writes and reads.
 
-The folder holds ``job.json``, ``input.npy`` ``[c_in, height, width]`` and the packed layer; the bench adds
+The folder holds ``job.json``, ``input.npy`` ``[c_in, height, width]`` and the packed passes; the bench adds
 ``output.npy`` ``[c_out, out_height, out_width]`` and ``result.json``.
 """
 
@@ -63,21 +63,25 @@ async def run_job(dut: Any) -> None:
     """Identify the array, load and configure the layer, run the image as often as the job says."""
     folder = Path(os.environ["MACRAM_JOB"])
     job = json.loads((folder / "job.json").read_text())
-    packed = read_packed(folder / "packed")
+    passes = [read_packed(folder / name) for name in job["passes"]]
     image = np.load(folder / "input.npy")
     transport = CocotbTransport(
         dut, gaps=job["gaps"], stalls=job["stalls"], seed=job["seed"], progress=Progress()
     )
     Clock(dut.aclk, PERIOD_NS, unit="ns").start()
     await transport.reset()
-    driver = ArrayDriver(transport, packed.array)
+    driver = ArrayDriver(transport, passes[0].array)
     await driver.identify()
-    if job["load"] == "stream":
-        await driver.load(packed)
-    await driver.configure(packed.spec)
+    if len(passes) == 1:
+        if job["load"] == "stream":
+            await driver.load(passes[0])
+        await driver.configure(passes[0].spec)
     counts = {"register_reads": 0}
     snooper = cocotb.start_soon(snoop(dut.aclk, transport, job["seed"], counts)) if job["snoop"] else None
-    results = [await driver.run(image) for _ in range(job["runs"])]
+    results = [
+        await (driver.run(image) if len(passes) == 1 else driver.run_passes(passes, image))
+        for _ in range(job["runs"])
+    ]
     if snooper is not None:
         snooper.cancel()
     np.save(folder / "output.npy", np.stack([result.codes for result in results]))

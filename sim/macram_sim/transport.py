@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from typing import Any, NoReturn
 
+import cocotb
 from cocotb.triggers import Lock, RisingEdge, Timer, gather, select
 
 from macram.driver import Beats, BusError, StreamTimeout
@@ -114,6 +115,7 @@ class CocotbTransport:
         self._params = AxisSource(dut, "s_axis_param", pauses(gaps, random.Random(f"param {seed}")))
         self._output = AxisSink(dut, "m_axis", pauses(stalls, random.Random(f"output {seed}")))
         self._progress = progress
+        self._running: Any = None
 
     async def reset(self, cycles: int = 4) -> None:
         """Hold ``aresetn`` low, then high."""
@@ -145,6 +147,24 @@ class CocotbTransport:
         both = gather(self._output.receive(beats_out), self._image.send(beats))
         _, result = await select(both, self._watchdog(beats_out))
         return result[0]
+
+    async def begin_stream(self, beats: Beats, beats_out: int) -> None:
+        """Start sending an image; its outcome, be it an error, waits for `end_stream`."""
+        self._running = cocotb.start_soon(self._outcome(self.run_stream(beats, beats_out)))
+
+    async def end_stream(self) -> Beats:
+        """The beats of the image that was begun."""
+        outcome: Beats | Exception = await self._running
+        if isinstance(outcome, Exception):
+            raise outcome
+        return outcome
+
+    @staticmethod
+    async def _outcome(run: Awaitable[Beats]) -> Beats | Exception:
+        try:
+            return await run
+        except Exception as error:  # cocotb would end the test although someone is going to ask
+            return error
 
     async def _watchdog(self, expected: int) -> NoReturn:
         """Report progress, and raise once nothing has moved for `QUIET_CYCLES`."""

@@ -89,7 +89,7 @@ def run_demo(
     case.save(out / "layer.npz")
     run = run_layer_job(case, array=array_for(case.spec), traffic=traffic, stage=stage)
     with stage("compare every code"):
-        run.packed.write(out / "packed")
+        run.passes[0].write(out / "packed")
         write_npz(out / "output.npz", codes=output_codes(run))
         comparisons = [
             {"name": name, **compare(left, right).to_dict()}

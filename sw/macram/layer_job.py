@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from macram.report.comparison import Comparison, compare
 from macram.report.files import write_json, write_npz
 from macram.report.versions import versions
-from macram.spec import ArrayConfig, ConvSpec
+from macram.spec import ArrayConfig, ConvSpec, channel_passes
 
 if TYPE_CHECKING:
     from macram.layer_file import LayerCase
@@ -66,7 +66,7 @@ class LayerRun:
     Attributes:
         case: the layer that was run.
         array: the array it ran on.
-        packed: the BRAM images.
+        passes: the BRAM images, one for each pass over the output channels.
         expected: golden codes, int64 ``[c_out, out_height, out_width]``.
         produced: codes of the simulated hardware, same shape.
         comparison: ``expected`` against ``produced``.
@@ -81,7 +81,7 @@ class LayerRun:
 
     case: LayerCase
     array: ArrayConfig
-    packed: PackedLayer
+    passes: list[PackedLayer]
     expected: NDArray[np.int64]
     produced: NDArray[np.int64]
     comparison: Comparison
@@ -155,10 +155,13 @@ def array_for(spec: ConvSpec, base: ArrayConfig | None = None) -> ArrayConfig:
     """
     array = base or ArrayConfig()
     formats: dict[str, Any] = {"weight": spec.weight, "input": spec.input, "output": spec.output}
+    if spec.input.signed and spec.input.bits == array.input.bits:
+        # Arrays of unsigned inputs take signed codes as well.
+        formats["input"] = array.input
     if any(getattr(array, key) != value for key, value in formats.items()):
         name = "-".join([array.name, *map(str, formats.values())])
         array = dataclasses.replace(array, name=name, **formats)
-    array.check_admits(spec)
+    channel_passes(spec, array)
     return array
 
 
@@ -191,28 +194,28 @@ def run_layer_job(
     traffic = traffic or Traffic()
     if array is None:
         array = array_for(case.spec)
-    else:
-        array.check_admits(case.spec)
     if expected is None:
         with stage("golden model"):
             expected = golden.run_layer(case)
     with stage("pack weights and thresholds"):
-        packed = pack.pack_layer(case, array)
+        passes = pack.pack_passes(case, array)
     started = time.perf_counter()
     with stage("export the Verilog and build its simulator"):
         build_array(array, waves=traffic.waves)
     build_seconds = time.perf_counter() - started
     with stage("simulate"):
-        result = simulate(packed, case.input, **dataclasses.asdict(traffic))
+        result = simulate(
+            passes[0] if len(passes) == 1 else passes, case.input, **dataclasses.asdict(traffic)
+        )
     return LayerRun(
         case=case,
         array=array,
-        packed=packed,
+        passes=passes,
         expected=expected,
         produced=result.codes,
         comparison=compare(expected, result.codes),
         counters={name: int(result.counters[name]) for name in ("cycles", *COUNTERS)},
-        estimate=estimate_table(perf.estimate(case.spec, array)),
+        estimate=estimate_table([perf.estimate(part.spec, array) for part in passes]),
         traffic=traffic,
         build_seconds=build_seconds,
         wall_seconds=result.wall_seconds,
@@ -234,17 +237,18 @@ def output_codes(run: LayerRun) -> NDArray[np.integer]:
     return run.produced.astype(np.int8 if output.signed or output.bits < 8 else np.uint8)
 
 
-def estimate_table(estimate: CycleEstimate) -> dict[str, Any]:
-    """A cycle estimate under the names of the counters that it predicts, for undisturbed streams."""
+def estimate_table(passes: Sequence[CycleEstimate]) -> dict[str, Any]:
+    """Cycle estimates, added up, under the names of the counters that they predict, for undisturbed streams."""
     return {
-        "total": estimate.total,
-        "mac_cycles": estimate.mac,
-        "fill_cycles": estimate.fill,
+        "total": sum(part.total for part in passes),
+        "mac_cycles": sum(part.mac for part in passes),
+        "fill_cycles": sum(part.fill for part in passes),
         "input_stalls": 0,
-        "output_stalls": estimate.stall,
-        "drain_cycles": estimate.drain,
-        "exact": estimate.exact,
-        "limited_by": estimate.limited_by,
+        "output_stalls": sum(part.stall for part in passes),
+        "drain_cycles": sum(part.drain for part in passes),
+        "exact": all(part.exact for part in passes),
+        "limited_by": next((part.limited_by for part in passes if not part.exact), "compute"),
+        "passes": len(passes),
     }
 
 

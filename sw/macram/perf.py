@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from macram.spec import GROUP, TAPS, ArrayConfig, ConvSpec, StreamLayout, ceil_div
+from macram.spec import GROUP, ArrayConfig, ConvSpec, StreamLayout, ceil_div
 
 DECISION_TO_RESULT = 5
 """Cycles from the decision of a compute step to its sum in the result registers, without the row engine's."""
-RESULT_TO_OUTPUT = 4
+RESULT_TO_OUTPUT = 5
 """Cycles from the last drained word to the first word in the output gearbox."""
 WRITTEN_TO_DECISION = 2
 """Cycles from the last needed pixel in the line buffer to the first compute step."""
@@ -24,7 +24,7 @@ class CycleEstimate:
 
     Attributes:
         fill: before the first compute step: pixels for one row and one group more must arrive.
-        mac: compute steps, ``height * groups * tiles * 3 * blocks``.
+        mac: compute steps, ``out_height * groups * tiles * kernel * phases * blocks``.
         stall: between compute steps. If a sum has fewer steps than it takes to drain, the drain is waited for; if
             a stream is the limit, that stream. The array books a wait under the first cause it meets, so only the
             sum of INPUT_STALLS and OUTPUT_STALLS is foretold.
@@ -50,26 +50,28 @@ class CycleEstimate:
 
 
 def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
-    """Cycles of ``layer`` on ``array``; 197,204 for the reference layer on the reference array.
+    """Cycles of ``layer`` on ``array``; 197,205 for the reference layer on the reference array.
 
     Raises:
         ValueError: the array does not admit the layer.
     """
     array.check_admits(layer)
-    groups, tiles = array.groups(layer.width), array.tiles(layer.c_out)
-    steps = TAPS * array.blocks(layer.c_in)
-    tail = layer.width % GROUP
-    pixels = layer.height * layer.width
+    groups, tiles = array.groups(layer.out_width), array.tiles(layer.c_out)
+    steps = array.steps(layer)
+    tail = layer.out_width % GROUP
+    pixels, pixels_out = layer.height * layer.width, layer.out_height * layer.out_width
     pixel_in, pixel_out = pixel_in_cycles(layer, array), pixel_out_cycles(layer, array)
+    group_in = min(GROUP * layer.stride, layer.width)
 
-    rows_needed = min(layer.height, 2)
-    pixels_needed = (rows_needed - 1) * layer.width + min(GROUP, layer.width)
+    rows_above = min(layer.height - 1, layer.padding)
+    pixels_needed = rows_above * layer.width + group_in
     fill = pixel_in * pixels_needed + WRITTEN_TO_DECISION - (pixels_needed == pixels)
 
     to_result = DECISION_TO_RESULT + array.engine_latency
     drain_period = max(array.drain_cycles, to_result + 1)
     period = max(steps, drain_period)
-    sums = layer.height * groups * tiles
+    out_groups = layer.out_height * groups
+    sums = out_groups * tiles
     mac = sums * steps
     stall = (sums - 1) * (period - steps)
 
@@ -80,21 +82,41 @@ def estimate(layer: ConvSpec, array: ArrayConfig) -> CycleEstimate:
     else:
         # One pixel is flushed, behind the last group's reading if that takes longer than the flush.
         flush = tiles * drain_period
-        single = layer.height == 1 and groups == 1
+        single = layer.out_height == 1 and groups == 1
         before = (GROUP - single) * pixel_out + single
         drain = max(flush, before) + to_output + pixel_out
 
+    compute = fill + mac + stall + drain
+    rows_used = min(layer.height, (layer.out_height - 1) * layer.stride + layer.kernel - layer.padding)
+    # Sums left when the last needed pixel is in: those of the last output row, or of the last group.
+    waits_for_row = rows_above and (layer.stride == 1 or layer.height % 2)
+    groups_after = groups * bool(waits_for_row) + (layer.stride == 1 or not waits_for_row)
     limits = {
-        "compute": fill + mac + stall + drain,
-        "input": pixel_in * pixels + (1 if layer.height == 1 else groups + 1) * tiles * period + drain,
-        "output": fill + (tiles - 1) * period + steps + to_output + pixels * pixel_out,
+        "input": pixel_in * rows_used * layer.width + groups_after * tiles * period + drain,
+        "output": fill + (tiles - 1) * period + steps + to_output + pixels_out * pixel_out,
     }
-    slowest = max(pixel_in, pixel_out)
+    group_cycles = {"input": group_in * layer.stride * pixel_in, "output": GROUP * pixel_out}
     limited_by = "compute"
-    if GROUP * slowest > tiles * period:
-        limited_by = "input" if pixel_in == slowest else "output"
-    total = max(limits["compute"], limits[limited_by])
+    if late := _late_row_cycles(layer, array, period):
+        # The last row may lack the late one.
+        limited_by = "input"
+        limits["input"] = max(limits["input"], compute + late * (layer.height // 2 - 1))
+    elif out_groups > 1 and max(group_cycles.values()) > tiles * period:
+        limited_by = max(group_cycles, key=lambda stream: group_cycles[stream])
+    total = max(compute, limits.get(limited_by, 0))
     return CycleEstimate(fill, mac, total - fill - mac - drain, drain, limited_by)
+
+
+def _late_row_cycles(layer: ConvSpec, array: ArrayConfig, period: int) -> int:
+    """Cycles for which an output row of a single group waits for its lowest input row.
+
+    With stride 2 that row takes the place of the uppermost row of the output row before, which is free once the
+    last sum there is through its first kernel row.
+    """
+    if (layer.kernel, layer.stride) != (3, 2) or array.groups(layer.out_width) > 1 or layer.height < 4:
+        return 0
+    written = layer.width * pixel_in_cycles(layer, array) + WRITTEN_TO_DECISION
+    return max(0, written - (period - array.steps(layer) // layer.kernel))
 
 
 def pixel_in_cycles(layer: ConvSpec, array: ArrayConfig) -> int:

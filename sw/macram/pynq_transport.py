@@ -92,6 +92,7 @@ class PynqTransport:
         self._allocate = allocate
         self._timeout = timeout
         self._lent: list[_Lent] = []
+        self._awaited: tuple[_Lent, tuple[int, int]] | None = None
 
     async def read(self, offset: int) -> int:
         """Read the register at a byte offset."""
@@ -121,6 +122,15 @@ class PynqTransport:
         Raises:
             StreamTimeout: a transfer took too long, or an earlier one still holds a channel.
         """
+        await self.begin_stream(beats, beats_out)
+        return await self.end_stream()
+
+    async def begin_stream(self, beats: Beats, beats_out: int) -> None:
+        """Start both transfers of an image and come back at once.
+
+        Raises:
+            StreamTimeout: an earlier transfer still holds a channel.
+        """
         sender, receiver = self._image.sendchannel, self._image.recvchannel
         self._check_free(sender, "input stream")
         self._check_free(receiver, "output stream")
@@ -131,10 +141,26 @@ class PynqTransport:
             # The receiver goes first: the array may answer before the whole image is sent.
             self._start(receiver, received)
             self._start(sender, image)
-            self._finish(sender, "input stream")
-            self._finish(receiver, "output stream")
-            return np.array(received.buffer, dtype=np.uint8).reshape(beats_out, size)
+        except BaseException:
+            self._reclaim()
+            raise
+        self._awaited = received, (beats_out, size)
+
+    async def end_stream(self) -> Beats:
+        """Wait for the image that was begun.
+
+        Raises:
+            StreamTimeout: a transfer took too long.
+        """
+        if self._awaited is None:
+            raise StreamTimeout("no image is on its way; call begin_stream() first")
+        received, shape = self._awaited
+        try:
+            self._finish(self._image.sendchannel, "input stream")
+            self._finish(self._image.recvchannel, "output stream")
+            return np.array(received.buffer, dtype=np.uint8).reshape(shape)
         finally:
+            self._awaited = None
             self._reclaim()
 
     def _borrow(self, size: int) -> _Lent:
@@ -153,8 +179,13 @@ class PynqTransport:
         channel.transfer(lent.buffer)
 
     def _reclaim(self) -> None:
-        """Free every buffer that no channel can touch any more."""
-        busy = [lent for lent in self._lent if lent.channel is not None and not lent.channel.idle]
+        """Free every buffer that no channel can touch any more and nobody is going to read."""
+        awaited = self._awaited[0] if self._awaited else None
+        busy = [
+            lent
+            for lent in self._lent
+            if lent is awaited or (lent.channel is not None and not lent.channel.idle)
+        ]
         for lent in self._lent:
             if lent not in busy:
                 lent.buffer.freebuffer()

@@ -29,13 +29,17 @@ def ingest_words(codes, cfg):
 
 @pytest.mark.parametrize("ingest", [1, 2, 4])
 @pytest.mark.parametrize(
-    ("channels", "height", "width"), [(4, 6, 8), (3, 5, 5), (16, 4, 7), (1, 1, 1), (5, 9, 3)]
-)
-def test_every_word_reads_back_with_padding_blanked(ingest, channels, height, width):
+    ("channels", "height", "width", "stride", "biased"),
+    [
+        (4, 6, 8, 1, False), (3, 5, 5, 1, True), (16, 4, 7, 1, False), (1, 1, 1, 1, False), (5, 9, 3, 1, True),
+        (4, 6, 16, 2, False), (3, 5, 9, 2, True), (7, 4, 7, 2, False), (1, 1, 1, 2, True), (16, 9, 3, 2, False),
+    ],
+)  # fmt: skip
+def test_every_word_reads_back_with_padding_blanked(ingest, channels, height, width, stride, biased):
     cfg = config(ingest)
     codes = np.random.default_rng(1).integers(0, 8, (channels, height, width))
     words, per_pixel = ingest_words(codes, cfg)
-    groups = ceil_div(width, GROUP)
+    groups = ceil_div(ceil_div(width, stride), GROUP)
     dut = LineBuffer(cfg)
     written = []
 
@@ -43,6 +47,10 @@ def test_every_word_reads_back_with_padding_blanked(ingest, channels, height, wi
         ctx.set(dut.shape.height, height)
         ctx.set(dut.shape.width, width)
         ctx.set(dut.shape.ingest_words, per_pixel)
+        ctx.set(dut.shape.column_words, stride * per_pixel)
+        ctx.set(dut.shape.groups, groups)
+        ctx.set(dut.shape.halved, stride == 2)
+        ctx.set(dut.shape.biased, biased)
         ctx.set(dut.start, 1)
         await ctx.tick()
         ctx.set(dut.start, 0)
@@ -58,24 +66,27 @@ def test_every_word_reads_back_with_padding_blanked(ingest, channels, height, wi
             while sum(written) < (y + 1) * groups:
                 await ctx.tick()
             for g in range(groups):
-                real = min(GROUP, width - GROUP * g)
-                for block in range(ceil_div(channels, cfg.rows)):
-                    for mask in {(1 << real) - 1, 0, (1 << real) - 1 & 0b0101}:
-                        ctx.set(dut.read.slot, y % ROWS_HELD)
-                        ctx.set(dut.read.address, g * per_pixel + block // ingest)
-                        ctx.set(dut.read.bank, block % ingest)
-                        ctx.set(dut.read.mask, mask)
-                        await ctx.tick().repeat(LineBuffer.LATENCY)
-                        word = ctx.get(dut.word)
-                        for pixel in range(GROUP):
-                            for r in range(cfg.rows):
-                                c, x = block * cfg.rows + r, GROUP * g + pixel
-                                got = word >> (3 * (pixel * cfg.rows + r)) & 7
-                                want = codes[c, y, x] if mask >> pixel & 1 and c < channels else 0
-                                assert got == want, (c, y, x, mask)
-            ctx.set(dut.retire, 1)
-            await ctx.tick()
-            ctx.set(dut.retire, 0)
+                # Columns of group g that exist, of the even pixels or of the odd ones.
+                for odd in range(stride):
+                    real = max(0, min(GROUP, ceil_div(width - odd, stride) - GROUP * g))
+                    for block in range(ceil_div(channels, cfg.rows)):
+                        for mask in {(1 << real) - 1, 0, (1 << real) - 1 & 0b0101}:
+                            ctx.set(dut.read.slot, y % ROWS_HELD)
+                            address = (g * stride + odd) * per_pixel + block // ingest
+                            ctx.set(dut.read.address, address)
+                            ctx.set(dut.read.bank, block % ingest)
+                            ctx.set(dut.read.mask, mask)
+                            await ctx.tick().repeat(LineBuffer.LATENCY)
+                            word = ctx.get(dut.word)
+                            for pixel in range(GROUP):
+                                for r in range(cfg.rows):
+                                    c, x = block * cfg.rows + r, (GROUP * g + pixel) * stride + odd
+                                    got = word >> (3 * (pixel * cfg.rows + r)) & 7
+                                    want = codes[c, y, x] if mask >> pixel & 1 and c < channels else 0
+                                    assert got == want ^ (4 if biased else 0), (c, y, x, mask)
+                ctx.set(dut.retire, 1)
+                await ctx.tick()
+                ctx.set(dut.retire, 0)
         assert ctx.get(dut.image_written)
         assert not ctx.get(dut.i.ready), "an input beat beyond the image was accepted"
 
@@ -83,27 +94,40 @@ def test_every_word_reads_back_with_padding_blanked(ingest, channels, height, wi
     assert sum(written) == height * groups
 
 
-def test_a_fourth_row_waits_for_the_first_to_be_retired():
+@pytest.mark.parametrize("pointwise", [False, True])
+def test_a_group_waits_for_the_one_four_rows_above(pointwise):
+    """3x3: row -1 holds a slot too. A retired group makes room for one, a retired row for a row."""
     cfg = config(2)
     dut = LineBuffer(cfg)
-    height, width = 5, 4
+    height, width, groups = 6, 8, 2
     words, per_pixel = ingest_words(np.ones((4, height, width), int), cfg)
+    words_per_group = len(words) // (height * groups)
 
-    async def bench(ctx):
-        ctx.set(dut.shape.height, height)
-        ctx.set(dut.shape.width, width)
-        ctx.set(dut.shape.ingest_words, per_pixel)
-        ctx.set(dut.start, 1)
-        await ctx.tick()
-        ctx.set(dut.start, 0)
-        ctx.set(dut.i.valid, 1)
-        await ctx.tick().repeat(len(words) // height * (ROWS_HELD - 1))
+    async def takes(ctx, count):
+        for _ in range(count):
+            assert ctx.get(dut.i.ready)
+            await ctx.tick()
         for _ in range(5):
             assert not ctx.get(dut.i.ready)
             await ctx.tick()
-        ctx.set(dut.retire, 1)
+
+    async def pulse(ctx, strobe):
+        ctx.set(strobe, 1)
         await ctx.tick()
-        ctx.set(dut.retire, 0)
-        assert ctx.get(dut.i.ready)
+        ctx.set(strobe, 0)
+
+    async def bench(ctx):
+        for name, value in (
+            ("height", height), ("width", width), ("ingest_words", per_pixel), ("column_words", per_pixel),
+            ("groups", groups), ("pointwise", pointwise),
+        ):  # fmt: skip
+            ctx.set(getattr(dut.shape, name), value)
+        await pulse(ctx, dut.start)
+        ctx.set(dut.i.valid, 1)
+        await takes(ctx, words_per_group * groups * (ROWS_HELD if pointwise else ROWS_HELD - 1))
+        await pulse(ctx, dut.retire)
+        await takes(ctx, words_per_group)
+        await pulse(ctx, dut.retire_row)
+        await takes(ctx, words_per_group * groups)
 
     simulate(dut, bench)

@@ -21,7 +21,7 @@ def beats(words, bits):
     ]
 
 
-def load(kind, words, per_unit, *, last_at=-1, gap=0.3):
+def load(kind, words, per_unit, *, last_at=-1, gap=0.3, base=0):
     bits = CONFIG.weight_word_bits if kind == "weights" else CONFIG.requant_word_bits
     flat = beats(words, bits)
     last = len(flat) - 1 if last_at == -1 else last_at
@@ -32,6 +32,7 @@ def load(kind, words, per_unit, *, last_at=-1, gap=0.3):
     async def source(ctx):
         assert not ctx.get(dut.i.ready), "beats are accepted although nothing is being loaded"
         ctx.set(dut.words, per_unit)
+        ctx.set(dut.base, base)
         ctx.set(getattr(dut, f"start_{kind}"), 1)
         await ctx.tick()
         ctx.set(getattr(dut, f"start_{kind}"), 0)
@@ -60,16 +61,16 @@ def load(kind, words, per_unit, *, last_at=-1, gap=0.3):
 def test_weights_go_unit_by_unit():
     rng = random.Random(4)
     words = [rng.getrandbits(CONFIG.weight_word_bits) for _ in range(CONFIG.units * 5)]
-    writes, faults = load("weights", words, 5)
-    assert writes == [(i // 5, i % 5, word) for i, word in enumerate(words)]
+    writes, faults = load("weights", words, 5, base=7)
+    assert writes == [(i // 5, 7 + i % 5, word) for i, word in enumerate(words)]
     assert not faults
 
 
 def test_requantiser_words_go_in_order():
     rng = random.Random(5)
     words = [rng.getrandbits(CONFIG.requant_word_bits) for _ in range(7)]
-    writes, faults = load("requant", words, 7)
-    assert writes == list(enumerate(words))
+    writes, faults = load("requant", words, 7, base=9)
+    assert writes == list(enumerate(words, 9))
     assert not faults
 
 

@@ -1,11 +1,13 @@
 """Shape decoder: refuses at run time exactly what the spec refuses."""
 
 import random
+from dataclasses import replace
 
+import pytest
 from stream_testing import simulate
 
-from macram.spec import ArrayConfig, ConvSpec, Error, StreamLayout, ceil_div
-from macram.spec.registers import MODE_3X3
+from macram.spec import ArrayConfig, ConvSpec, Error, IntFormat, StreamLayout, ceil_div
+from macram.spec.registers import MODES
 from macram_hw.shape import ShapeDecoder
 
 CONFIG = ArrayConfig(
@@ -13,75 +15,116 @@ CONFIG = ArrayConfig(
 )
 
 
-def admitted(height, width, c_in, c_out):
+SIGNED = replace(CONFIG, input=IntFormat(3, signed=True))
+
+
+def layer_of(height, width, c_in, c_out, mode):
+    """The layer that the registers describe, if any."""
+    return ConvSpec(
+        c_in, c_out, height, width, kernel=mode & 255, stride=mode >> 8 & 255, padding=mode >> 16 & 255,
+        input=IntFormat(3, signed=bool(mode >> 24)),
+    )  # fmt: skip
+
+
+def admitted(*registers):
     try:
-        CONFIG.check_admits(ConvSpec(c_in, c_out, height, width))
+        CONFIG.check_admits(layer_of(*registers))
     except ValueError:
         return False
     return True
 
 
+def set_registers(ctx, dut, *registers):
+    for name, value in zip(("height", "width", "c_in", "c_out", "mode"), registers, strict=True):
+        ctx.set(getattr(dut, name), value)
+
+
 def test_hardware_and_spec_agree_on_every_shape():
     rng = random.Random(6)
     edges = {
-        "width": [0, 1, 3, 4, 5, 96, 97, 192, 193, 65532, 65533, 65535, 65536, 0x10004, 0xFFFFFFFF],
+        "width": [0, 1, 3, 4, 5, 96, 97, 191, 192, 193, 65532, 65533, 65535, 65536, 0x10004, 0xFFFFFFFF],
         "c_in": [0, 1, 4, 63, 64, 65],
         "c_out": [0, 1, 95, 96, 97],
     }
+    modes = [mode | signed << 24 for mode in MODES for signed in (0, 1)]
     shapes = [
         (
             rng.choice([0, 1, 7, 65535, 65536, 0x10007]),
             *(rng.choice([*values, rng.randrange(100)]) for values in edges.values()),
+            rng.choice(modes),
         )
-        for _ in range(1500)
+        for _ in range(3000)
     ]
     dut = ShapeDecoder(CONFIG)
     seen = set()
 
     async def bench(ctx):
-        for height, width, c_in, c_out in shapes:
-            for name, value in (("height", height), ("width", width), ("c_in", c_in), ("c_out", c_out)):
-                ctx.set(getattr(dut, name), value)
-            ctx.set(dut.mode, MODE_3X3)
+        for registers in shapes:
+            set_registers(ctx, dut, *registers)
             await ctx.tick().repeat(ShapeDecoder.LATENCY)
-            fits = admitted(height, width, c_in, c_out)
-            assert ctx.get(dut.error) == (Error.NONE if fits else Error.BAD_SHAPE), (
-                height,
-                width,
-                c_in,
-                c_out,
-            )
-            seen.add(fits)
+            fits = admitted(*registers)
+            assert ctx.get(dut.error) == (Error.NONE if fits else Error.BAD_SHAPE), registers
+            seen.add((fits, registers[-1]))
             if not fits:
                 continue
-            layer = ConvSpec(c_in, c_out, height, width)
+            layer = layer_of(*registers)
+            ingest_words = ceil_div(CONFIG.blocks(layer.c_in), CONFIG.ingest)
             expected = {
-                "height": height,
-                "width": width,
-                "groups": CONFIG.groups(width),
-                "tail": width % 4,
-                "blocks": CONFIG.blocks(c_in),
-                "ingest_words": ceil_div(CONFIG.blocks(c_in), CONFIG.ingest),
-                "tiles": CONFIG.tiles(c_out),
-                "output_words": ceil_div(c_out, CONFIG.output_word_channels),
-                "beats_in": StreamLayout(c_in, layer.input, CONFIG.stream_bits).beats_per_pixel,
-                "beats_out": StreamLayout(c_out, layer.output, CONFIG.stream_bits).beats_per_pixel,
+                "height": layer.height,
+                "width": layer.width,
+                "out_height": layer.out_height,
+                "groups": CONFIG.groups(layer.out_width),
+                "tail": layer.out_width % 4,
+                "blocks": CONFIG.blocks(layer.c_in),
+                "ingest_words": ingest_words,
+                "column_words": ingest_words * layer.stride,
+                "tiles": CONFIG.tiles(layer.c_out),
+                "output_words": ceil_div(layer.c_out, CONFIG.output_word_channels),
+                "beats_in": StreamLayout(layer.c_in, layer.input, CONFIG.stream_bits).beats_per_pixel,
+                "beats_out": StreamLayout(layer.c_out, layer.output, CONFIG.stream_bits).beats_per_pixel,
+                "pointwise": layer.kernel == 1,
+                "halved": layer.stride == 2,
+                "biased": CONFIG.biased(layer),
             }
             assert {name: ctx.get(getattr(dut.shape, name)) for name in expected} == expected
+            assert ctx.get(dut.weight_end) == CONFIG.weight_words(layer)
+            assert ctx.get(dut.requant_end) == CONFIG.requant_words(layer)
 
-    simulate(dut, bench)
-    assert seen == {True, False}
+    simulate(dut, bench, cycles=40_000)
+    assert seen == {(fits, mode) for fits in (True, False) for mode in modes}
 
 
-def test_another_mode_is_refused():
-    dut = ShapeDecoder(CONFIG)
+@pytest.mark.parametrize("config", [CONFIG, SIGNED])
+def test_other_modes_are_refused(config):
+    dut = ShapeDecoder(config)
+    known = {mode | signed << 24 for mode in MODES for signed in ((0,) if config.input.signed else (0, 1))}
+    neighbours = {mode ^ 1 << bit for mode in known for bit in range(32)} | {0, 0x0100_0000, 0xFFFF_FFFF}
 
     async def bench(ctx):
-        for name in ("height", "width", "c_in", "c_out"):
-            ctx.set(getattr(dut, name), 4)
-        for mode in (0x0001_0203, 0x0000_0103, 0x0001_0101, 0):
-            ctx.set(dut.mode, mode)
+        for mode in known | neighbours:
+            set_registers(ctx, dut, 4, 4, 4, 4, mode)
             await ctx.tick().repeat(ShapeDecoder.LATENCY)
-            assert ctx.get(dut.error) == Error.BAD_MODE
+            assert ctx.get(dut.error) == (Error.NONE if mode in known else Error.BAD_MODE), hex(mode)
+
+    simulate(dut, bench)
+
+
+def test_words_must_lie_in_the_memories():
+    dut = ShapeDecoder(CONFIG)
+    weights, requant = 3, CONFIG.drain_cycles
+
+    async def bench(ctx):
+        for weight_base, requant_base, error in (
+            (CONFIG.weight_depth - weights, CONFIG.requant_depth - requant, Error.NONE),
+            (CONFIG.weight_depth - weights + 1, 0, Error.BAD_RANGE),
+            (0, CONFIG.requant_depth - requant + 1, Error.BAD_RANGE),
+            (0xFFFF_FFFF, 0, Error.BAD_RANGE),
+            (0, 0xFFFF_FFFF, Error.BAD_RANGE),
+        ):
+            set_registers(ctx, dut, 4, 4, 4, 4, MODES[-2])
+            ctx.set(dut.weight_base, weight_base)
+            ctx.set(dut.requant_base, requant_base)
+            await ctx.tick().repeat(ShapeDecoder.LATENCY)
+            assert ctx.get(dut.error) == error, (weight_base, requant_base)
 
     simulate(dut, bench)

@@ -11,9 +11,10 @@ import pytest
 from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, select
 
-from macram.driver import ArrayDriver, ArrayError, BusError
+from macram.driver import BOTTOM, TOP, ArrayDriver, ArrayError, BusError
 from macram.pack import read_packed
 from macram.spec import BY_NAME, REGISTERS, Control, Error, Status, StreamLayout
+from macram.spec.registers import LOAD_REGISTERS
 from macram_sim import transport as transport_module
 from macram_sim.transport import PERIOD_NS, CocotbTransport
 
@@ -37,6 +38,8 @@ class Bench:
         await self.driver.configure(self.packed.spec)
         spec, array = self.packed.spec, self.packed.array
         self.beats = StreamLayout(spec.c_in, spec.input, array.stream_bits).pack(self.image)
+        self.output = StreamLayout(spec.c_out, spec.output, array.stream_bits)
+        self.beats_out = spec.out_height * spec.out_width * self.output.beats_per_pixel
         return self
 
     async def write(self, name, value):
@@ -67,16 +70,113 @@ async def soft_reset_in_the_middle(dut):
 
 
 @cocotb.test()
-async def busy_array_refuses_writes(dut):
+async def busy_array_keeps_its_registers(dut):
     bench = await Bench.start(dut)
     await bench.write("CONTROL", Control.START)
     await ClockCycles(dut.aclk, 60)
-    before = {r.name: await bench.read(r.name) for r in REGISTERS if r.access == "RW"}
-    for name, value in (("HEIGHT", 1), ("MODE", 0), ("PARAM_WORDS", 9), ("CONTROL", 1), ("CONTROL", 2)):
+    locked = [r.name for r in REGISTERS if r.access == "RW" and r.name not in LOAD_REGISTERS]
+    before = {name: await bench.read(name) for name in locked}
+    for name in locked:
         with pytest.raises(BusError, match="was answered SLVERR"):
-            await bench.write(name, value)
-    assert before == {name: await bench.read(name) for name in before}
+            await bench.write(name, before[name] ^ 1)
+    assert before == {name: await bench.read(name) for name in locked}
+    for name in LOAD_REGISTERS:
+        await bench.write(name, 9)
+        assert await bench.read(name) == 9
     await bench.recovers()
+
+
+@cocotb.test()
+async def commands_beside_a_run_are_refused_and_it_goes_on(dut):
+    """A second start, a load over the running layer, a load beyond the memory: an error code, the codes right."""
+    bench = await Bench.start(dut)
+    depth, words = bench.packed.array.weight_depth, bench.packed.weight_words
+    requant_words = bench.packed.requant_words
+    for base, count, command, code in (
+        (0, 1, Control.START, Error.BAD_COMMAND),
+        (depth - 1, 1, Control.LOAD_WEIGHTS | Control.LOAD_REQUANT, Error.BAD_COMMAND),
+        (0, 1, Control.LOAD_WEIGHTS, Error.BAD_RANGE),
+        (words - 1, 1, Control.LOAD_WEIGHTS, Error.BAD_RANGE),
+        (requant_words - 1, 1, Control.LOAD_REQUANT, Error.BAD_RANGE),
+        (depth - 1, 2, Control.LOAD_WEIGHTS, Error.BAD_RANGE),
+        (0xFFFF_FFFF, 1, Control.LOAD_WEIGHTS, Error.BAD_RANGE),
+        (depth - 1, 0, Control.LOAD_WEIGHTS, Error.BAD_RANGE),
+    ):
+        await bench.write("CONTROL", Control.START)
+        await bench.transport.begin_stream(bench.beats, bench.beats_out)
+        await bench.write("PARAM_BASE", base)
+        await bench.write("PARAM_WORDS", count)
+        await bench.write("CONTROL", command)
+        status = Status(await bench.read("STATUS"))
+        assert Status.ERROR in status, (base, count, command)
+        assert Status.LOADING not in status
+        assert await bench.read("ERROR") == code, (base, count, command)
+        codes = bench.output.unpack(
+            await bench.transport.end_stream(), bench.packed.spec.out_height, bench.packed.spec.out_width
+        )
+        np.testing.assert_array_equal(codes, bench.expected)
+        await ClockCycles(dut.aclk, 10)
+        assert await bench.read("STATUS") == Status.DONE | Status.ERROR
+        await bench.works()
+
+
+@cocotb.test()
+async def a_load_beside_a_run_ends_where_it_was_sent(dut):
+    """The other end of the memories is loaded while an image runs; then the layer runs from there."""
+    bench = await Bench.start(dut)
+    spec = bench.packed.spec
+    for place, other in ((BOTTOM, TOP), (TOP, BOTTOM), (BOTTOM, TOP)):
+        await bench.driver.configure(spec, place=place)
+        result = await bench.driver.run(
+            bench.image, lambda other=other: bench.driver.load(bench.packed, place=other)
+        )
+        np.testing.assert_array_equal(result.codes, bench.expected)
+    await bench.driver.configure(spec, place=TOP)
+    await bench.works()
+
+
+@cocotb.test()
+async def commands_beside_a_load_are_refused_and_it_goes_on(dut):
+    bench = await Bench.start(dut)
+    words = bench.packed.weight_words
+    weights, _ = bench.packed.load_beats()
+    for command, code in (
+        (Control.LOAD_WEIGHTS, Error.BAD_COMMAND),
+        (Control.LOAD_REQUANT, Error.BAD_COMMAND),
+        (Control.START, Error.BAD_RANGE),
+    ):
+        await bench.write("PARAM_BASE", 0)
+        await bench.write("PARAM_WORDS", words)
+        await bench.write("CONTROL", Control.LOAD_WEIGHTS)
+        for name in LOAD_REGISTERS:
+            with pytest.raises(BusError, match="was answered SLVERR"):
+                await bench.write(name, 1)
+        await bench.write("CONTROL", command)
+        await ClockCycles(dut.aclk, 10)
+        assert await bench.read("ERROR") == code
+        assert await bench.read("STATUS") == Status.LOADING | Status.ERROR
+        await bench.transport.send_params(weights)
+        await ClockCycles(dut.aclk, 10)
+        assert await bench.read("STATUS") == Status.ERROR
+        await bench.works()
+
+
+@cocotb.test()
+async def layers_beyond_the_memories_are_refused(dut):
+    bench = await Bench.start(dut)
+    array, packed = bench.packed.array, bench.packed
+    for name, value in (
+        ("WEIGHT_BASE", array.weight_depth - packed.weight_words + 1),
+        ("REQUANT_BASE", array.requant_depth - packed.requant_words + 1),
+        ("WEIGHT_BASE", 0xFFFF_FFFF),
+    ):
+        await bench.write(name, value)
+        await bench.write("CONTROL", Control.START)
+        await ClockCycles(dut.aclk, 20)
+        assert await bench.read("STATUS") == Status.ERROR
+        assert await bench.read("ERROR") == Error.BAD_RANGE
+        await bench.driver.configure(packed.spec)
+        await bench.works()
 
 
 @cocotb.test()
@@ -120,8 +220,10 @@ async def bad_commands_and_shapes_are_named(dut):
     for name, value, command, code in (
         ("WIDTH", 0, Control.START, Error.BAD_SHAPE),
         ("C_IN", bench.packed.array.max_c_in + 1, Control.START, Error.BAD_SHAPE),
-        ("MODE", 0x0001_0203, Control.START, Error.BAD_MODE),
-        ("PARAM_WORDS", words, Control.LOAD_WEIGHTS, Error.BAD_COMMAND),
+        ("MODE", 0x0001_0303, Control.START, Error.BAD_MODE),
+        ("MODE", 0x0000_0103, Control.START, Error.BAD_MODE),
+        ("PARAM_WORDS", words, Control.LOAD_WEIGHTS, Error.BAD_RANGE),
+        ("PARAM_WORDS", 0, Control.LOAD_REQUANT, Error.BAD_RANGE),
         ("PARAM_WORDS", 1, Control.LOAD_WEIGHTS | Control.START, Error.BAD_COMMAND),
     ):
         await bench.write(name, value)

@@ -68,7 +68,7 @@ def test_refusals_and_recoveries(toolchain, tmp_path):
     done = runner.run(
         build_array(TINY), "bench_recovery", tmp_path / "run", seed=SEED, env={"MACRAM_JOB": str(tmp_path)}
     )
-    assert done.tests == 5
+    assert done.tests == 9
 
 
 @pytest.mark.parametrize(

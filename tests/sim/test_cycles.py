@@ -62,10 +62,10 @@ def test_cycles_are_the_closed_form(toolchain, shape):
 
 
 @pytest.mark.slow
-def test_the_reference_layer_takes_197204_cycles(toolchain):
+def test_the_reference_layer_takes_197205_cycles(toolchain):
     spec, array = ConvSpec(64, 128, 128, 128), ArrayConfig()
     case = random_case(spec, seed=3)
     result = simulate(pack_layer(case, array), case.input, seed=3)
     np.testing.assert_array_equal(result.codes, run_layer(case))
     assert_as_estimated(spec, array, result.counters)
-    assert result.counters["cycles"] == 197_204
+    assert result.counters["cycles"] == 197_205

@@ -126,7 +126,7 @@ def test_a_cycle_without_a_cause_fails(simulator, layer_file, tmp_path, capsys):
     ("break_it", "message"),
     [
         (lambda keys: keys.pop("scale"), "'scale' is missing"),
-        (lambda keys: keys.update(stride=2), "stride"),
+        (lambda keys: keys.update(stride=3), "stride"),
         (lambda keys: keys.update(weights=keys["weights"] * 5), "weights"),
         (lambda keys: keys.update(offset=keys["offset"] * np.nan), "offset"),
         (lambda keys: keys.update(more=1), "unknown key 'more'"),
@@ -215,7 +215,7 @@ def small_reference(simulator, monkeypatch):
     monkeypatch.setattr("macram.cli.sim_verb.REFERENCE", SMALL)
     monkeypatch.setattr("macram.bench.REFERENCE", SMALL)
     simulator.counters = lambda spec, array: {
-        name: value for name, value in estimate_table(estimate(spec, array)).items() if name in COUNTERS
+        name: value for name, value in estimate_table([estimate(spec, array)]).items() if name in COUNTERS
     }
     return simulator
 

@@ -13,7 +13,7 @@ import pytest
 from macram import golden
 from macram.driver import COUNTERS, ArrayDriver, ArrayError, StreamTimeout
 from macram.layer_file import LayerCase
-from macram.pack import PackedLayer, pack_layer, unpack
+from macram.pack import PackedLayer, pack_layer, pack_passes, unpack
 from macram.pynq_transport import PynqTransport, run_sync
 from macram.spec import BY_NAME, ArrayConfig, ConvSpec, Error, IntFormat, StreamLayout
 
@@ -35,14 +35,14 @@ class FakeArray:
         self.registers = dict.fromkeys(BY_NAME, 0)
         self.registers |= {
             "ID": 0x4D414352,
-            "VERSION": 0x10000,
+            "VERSION": 0x20000,
             "GEOMETRY": int(f"{array.drain:02x}{array.rows:02x}{array.units:04x}", 16),
             "FORMATS": int(f"{array.output.bits:02x}{array.input.bits:02x}{array.weight.bits:02x}", 16),
             "WEIGHT_DEPTH": array.weight_depth,
             "ROW_WORDS": array.row_words,
             "MAX_CHANNELS": int(f"{array.max_c_out:04x}{array.max_c_in:04x}", 16),
         }
-        self.words: dict[int, list[int]] = {}
+        self.words: dict[tuple[int, int], list[int]] = {}
         self.fault = Error.NONE
         self.busy_reads = 0
         self.hang = False
@@ -69,7 +69,7 @@ class FakeArray:
         name = next(r.name for r in BY_NAME.values() if r.offset == offset)
         if name == "STATUS":
             self.busy_reads, busy = max(self.busy_reads - 1, 0), self.busy_reads > 0
-            return busy | 2 | (4 if self.fault else 0)
+            return busy | busy << 3 | 2 | (4 if self.fault else 0)
         return int(self.fault) if name == "ERROR" else self.registers[name]
 
     def write(self, offset: int, value: int) -> None:
@@ -88,23 +88,22 @@ class FakeArray:
         if stream == "param":
             width = self.array.weight_word_bits if self.command == 2 else self.array.requant_word_bits
             step = -(-width // (8 * size)) * size
-            self.words[self.command] = [
-                int.from_bytes(raw[i : i + step], "little") for i in range(0, len(raw), step)
-            ]
+            words = [int.from_bytes(raw[i : i + step], "little") for i in range(0, len(raw), step)]
+            self.words[self.command, self.registers["PARAM_BASE"]] = words
             per = self.array.units if self.command == 2 else 1
-            assert len(self.words[self.command]) == per * self.registers["PARAM_WORDS"]
+            assert len(words) == per * self.registers["PARAM_WORDS"]
             return
         assert self.command == 1
         r = self.registers
         mode = r["MODE"]
         spec = ConvSpec(
             r["C_IN"], r["C_OUT"], r["HEIGHT"], r["WIDTH"], mode & 255, mode >> 8 & 255, mode >> 16 & 255,
-            self.array.weight, self.array.input, self.array.output,
+            self.array.weight, dataclasses.replace(self.array.input, signed=bool(mode >> 24)), self.array.output,
         )  # fmt: skip
         beats = np.frombuffer(raw, np.uint8).reshape(-1, size)
         image = StreamLayout(spec.c_in, spec.input, 8 * size).unpack(beats, spec.height, spec.width)
         weights, requant = unpack(PackedLayer(spec, self.array, *self.memory(spec)))
-        codes = requant.apply(golden.conv2d(image, weights))
+        codes = requant.apply(golden.conv2d(image, weights, stride=spec.stride, padding=spec.padding))
         self.output = StreamLayout(spec.c_out, spec.output, 8 * size).pack(codes)
         self.registers |= {name.upper(): 1000 + i for i, name in enumerate(COUNTERS)}
 
@@ -112,10 +111,12 @@ class FakeArray:
         def as_bytes(words, bits):
             return np.array([list(w.to_bytes(-(-bits // 8), "little")) for w in words], np.uint8)
 
-        weights = as_bytes(self.words[2], self.array.weight_word_bits)
+        weights = self.words[2, self.registers["WEIGHT_BASE"]]
+        requant = self.words[4, self.registers["REQUANT_BASE"]]
+        weights = as_bytes(weights, self.array.weight_word_bits)
         return (
             weights.reshape(self.array.units, -1, weights.shape[1]),
-            as_bytes(self.words[4], self.array.requant_word_bits),
+            as_bytes(requant, self.array.requant_word_bits),
         )
 
 
@@ -185,6 +186,33 @@ def test_load_configure_run(shape):
     assert first.counters == {name: 1000 + i for i, name in enumerate(COUNTERS)}
     assert fake.buffers == 0, "every buffer is freed"
     assert [value for name, value in fake.log if name == "CONTROL"] == [8, 2, 4, 1, 1]
+
+
+@pytest.mark.parametrize(("kernel", "stride"), [(3, 1), (3, 2), (1, 1), (1, 2)])
+def test_passes_of_every_kind_with_signed_codes(kernel, stride):
+    """Weights of the next pass go to the other end of the memories while the image is under way."""
+    spec = ConvSpec(16, 60, 5, 7, kernel, stride, kernel // 2, input=IntFormat(3, signed=True))
+    case = golden.random_case(spec, SEED)
+    fake = FakeArray(TINY)
+    passes = pack_passes(case, TINY)
+    result = run_sync(ArrayDriver(fake.transport(), TINY).run_passes(passes, case.input))
+    np.testing.assert_array_equal(result.codes, golden.run_layer(case))
+    assert result.counters["cycles"] == 1000 * len(passes)
+    assert fake.buffers == 0
+    commands = [value for name, value in fake.log if name == "CONTROL"]
+    ends = {value for name, value in fake.log if name == "WEIGHT_BASE"}
+    if (kernel, stride) == (3, 2):
+        # 48 of 64 words: no two passes fit together.
+        assert commands == [2, 4, 1] * 8
+    else:
+        assert commands == [2, 4, *[1, 2, 4] * (len(passes) - 1), 1]
+        assert len(passes) > 1
+    assert len(ends) == 2
+
+
+def test_an_image_must_be_begun_before_it_ends():
+    with pytest.raises(StreamTimeout, match=r"call begin_stream\(\) first"):
+        run_sync(FakeArray(TINY).transport().end_stream())
 
 
 @pytest.mark.parametrize(
@@ -304,8 +332,8 @@ def test_bad_input_reaches_no_register():
         run_sync(driver.run(case.input))
     with pytest.raises(ValueError, match="packed for array 'reference'"):
         run_sync(driver.load(pack_layer(case, ArrayConfig())))
-    with pytest.raises(ValueError, match="stride 2"):
-        run_sync(driver.configure(ConvSpec(2, 3, 4, 4, stride=2)))
+    with pytest.raises(ValueError, match="padding 0"):
+        run_sync(driver.configure(ConvSpec(2, 3, 4, 4, padding=0)))
     assert fake.log == []
     run_sync(driver.configure(case.spec))
     before = list(fake.log)

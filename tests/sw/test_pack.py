@@ -52,12 +52,21 @@ def packings(draw):
         output=IntFormat(draw(st.integers(2, 8)), signed=draw(st.booleans())),
         max_c_in=draw(st.integers(7, 40)),
         max_c_out=units * draw(st.integers(1, 3)),
-        weight_depth=64,
+        weight_depth=128,
         row_words=64,
         stream_bits=draw(st.sampled_from([32, 64, 128])),
         drain=drain,
     )
-    spec = layer_for(array, draw(st.integers(1, 7)), draw(st.integers(1, array.max_c_out)))
+    kernel = draw(st.sampled_from([1, 3]))
+    spec = dataclasses.replace(
+        layer_for(
+            array, draw(st.integers(1, 7)), draw(st.integers(1, array.max_c_out)), 5, draw(st.integers(6, 9))
+        ),
+        kernel=kernel,
+        stride=draw(st.sampled_from([1, 2])),
+        padding=kernel // 2,
+        input=IntFormat(array.input.bits, signed=array.input.signed or draw(st.booleans())),
+    )
     return random_case(
         spec, draw(st.integers(0, 2**32)), draw(st.sampled_from(["uniform", "extremes"]))
     ), array
@@ -73,12 +82,19 @@ def test_every_weight_field_lies_where_the_contract_says(packing):
         words = packed.unit_words(u)
         for address, word in enumerate(words):
             assert 0 <= word < 1 << array.weight_word_bits
-            tile, ky, cb = address // (3 * blocks), address // blocks % 3, address % blocks
+            phases = array.phases(case.spec)
+            rest, cb = divmod(address, blocks)
+            rest, phase = divmod(rest, phases)
+            tile, ky = divmod(rest, case.spec.kernel)
+            # Field j of the pixel in column 4 g + p counts towards column 4 g + p + j - 1.
+            taps = {(1, 1): [None, 0, None], (3, 1): [2, 1, 0]}.get(
+                (case.spec.kernel, phases), [[None, 1, None], [None, 2, 0]][phase]
+            )
             for r in range(array.rows):
                 for j in range(3):
                     out, inp = tile * array.units + u, cb * array.rows + r
-                    inside = out < case.spec.c_out and inp < case.spec.c_in
-                    wanted = case.weights[out, inp, ky, 2 - j] if inside else 0
+                    inside = out < case.spec.c_out and inp < case.spec.c_in and taps[j] is not None
+                    wanted = case.weights[out, inp, ky, taps[j]] if inside else 0
                     assert field(word, (r * 3 + j) * bits, bits, signed=True) == wanted
 
 
@@ -89,6 +105,10 @@ def test_every_requantiser_field_lies_where_the_contract_says(packing):
     packed = pack_layer(case, array)
     requant = derive_requant(case.spec, case.scale, case.offset)
     acc, entry = array.accumulator, array.requant_entry_bits
+    spec, half = case.spec, 1 << (array.input.bits - 1) if array.biased(case.spec) else 0
+    # Padding that no step reads: left of column 0, and right of a last column that ends its group of four.
+    left = half if spec.kernel == 3 else 0
+    right = half if spec.kernel == 3 and spec.stride == 1 and spec.width % 4 == 0 else 0
     words = packed.requant_ints()
     assert len(words) == packed.requant_words == array.tiles(case.spec.c_out) * array.units // array.drain
     for address, word in enumerate(words):
@@ -97,19 +117,32 @@ def test_every_requantiser_field_lies_where_the_contract_says(packing):
         for q in range(array.drain):
             c, low = tile * array.units + d * array.drain + q, q * entry
             inside = c < case.spec.c_out
+            total = half * int(case.weights[c].sum()) if inside else 0
             if array.thresholds:
                 found = [
                     field(word, low + i * acc.bits, acc.bits, signed=True) for i in range(array.thresholds)
                 ]
                 zero = -array.output.lo if array.output.signed else 0
                 absent = [acc.lo] * zero + [acc.hi] * (array.thresholds - zero)
-                assert found == (requant.thresholds[c].tolist() if inside else absent)
-                assert field(word, low + entry - 1, 1, signed=False) == (inside and requant.invert[c])
+                end = low + array.thresholds * acc.bits
+                wanted = (requant.thresholds[c] + total).clip(acc.lo, acc.hi).tolist() if inside else absent
+                assert found == wanted
+                assert field(word, end, 1, signed=False) == (inside and requant.invert[c])
+                end += 1
             else:
+                end = low + 72
                 assert field(word, low, 18, signed=True) == (requant.mult[c] if inside else 0)
-                assert field(word, low + 18, 48, signed=True) == (requant.offset[c] if inside else 0)
+                assert field(word, low + 18, 48, signed=True) == (
+                    requant.offset[c] - total * requant.mult[c] if inside else 0
+                )
                 assert field(word, low + 66, 6, signed=False) == (requant.shift[c] if inside else 0)
-                assert entry == 72
+            if array.border is None:
+                assert low + entry == end
+                continue
+            for at, part, column in ((end, left, 0), (end + array.border.bits, right, -1)):
+                outer = part * int(case.weights[c, :, :, column].sum()) if inside else 0
+                assert field(word, at, array.border.bits, signed=True) == outer
+            assert low + entry == end + 2 * array.border.bits
 
 
 @settings(deadline=None, max_examples=60)
@@ -118,7 +151,15 @@ def test_unpack_is_the_inverse(packing):
     case, array = packing
     weights, requant = unpack(pack_layer(case, array))
     assert np.array_equal(weights, case.weights)
-    assert same_requant(requant, derive_requant(case.spec, case.scale, case.offset))
+    wanted = derive_requant(case.spec, case.scale, case.offset)
+    if not array.biased(case.spec):
+        assert same_requant(requant, wanted)
+    # Every sum that these weights can give; of raised codes, thresholds beyond them may have moved.
+    inputs = case.spec.input
+    above, below = case.weights.clip(min=0).sum(axis=(1, 2, 3)), case.weights.clip(max=0).sum(axis=(1, 2, 3))
+    lows, highs = above * inputs.lo + below * inputs.hi, above * inputs.hi + below * inputs.lo
+    sums = np.linspace(lows, highs, 200).round().astype(np.int64).T
+    assert np.array_equal(requant.apply(sums), wanted.apply(sums))
 
 
 @settings(deadline=None, max_examples=15)
@@ -176,7 +217,7 @@ def test_reference_layer_packs_within_a_second():
     packed = pack_layer(case, REFERENCE)
     assert time.perf_counter() - start < 1
     assert packed.weights.shape == (64, 48, 9)
-    assert packed.requant.shape == (32, 4 * (7 * 19 + 1) // 8)
+    assert packed.requant.shape == (32, 4 * (7 * 19 + 1 + 2 * 17) // 8)
     assert packed.requantiser == "threshold"
 
 
@@ -286,8 +327,8 @@ def test_damaged_folders_are_refused(tmp_path, damage, words):
 
 
 def test_a_layer_the_array_does_not_admit_is_refused():
-    case = random_case(ConvSpec(4, 8, 5, 5, kernel=1, padding=0), seed=0)
-    with pytest.raises(ValueError, match="runs 3x3 kernels"):
+    case = random_case(ConvSpec(4, 8, 5, 5, padding=0), seed=0)
+    with pytest.raises(ValueError, match="runs 3x3 kernels with padding 1 and 1x1 kernels with padding 0"):
         pack_layer(case, TINY)
     with pytest.raises(ValueError, match="c_in must be at most 16, not 17"):
         pack_layer(random_case(layer_for(TINY, 17, 8), seed=0), TINY)
@@ -323,7 +364,8 @@ def test_a_flipped_bit_changes_what_is_unpacked():
     changed, _ = unpack(dataclasses.replace(packed, weights=weights))
     assert (changed != case.weights).sum() == 1
     requant = packed.requant.copy()
-    requant[0, (TINY.requant_entry_bits - 1) // 8] ^= 1 << (TINY.requant_entry_bits - 1) % 8
+    invert = TINY.thresholds * TINY.accumulator.bits
+    requant[0, invert // 8] ^= 1 << invert % 8
     _, turned = unpack(dataclasses.replace(packed, requant=requant))
     assert isinstance(turned, ThresholdRequant)
     assert turned.invert[0] != unpack(packed)[1].invert[0]

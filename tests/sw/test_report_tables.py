@@ -124,7 +124,7 @@ def test_ramb36_holds_the_bits_and_grows(depth, width):
 def test_reference_array_has_64_weight_rams_and_uses_48_words_of_each():
     report = bram_report(ArrayConfig(), REFERENCE)
     weights = report["memories"][0]
-    assert (weights["count"], weights["depth"], weights["width"], weights["ramb36"]) == (64, 512, 72, 64)
+    assert (weights["count"], weights["depth"], weights["width"], weights["ramb36"]) == (64, 1024, 72, 128)
     assert weights["used"] == 48  # 2 tiles x 3 kernel rows x 8 blocks
     assert report["ramb36_total"] == sum(row["ramb36"] for row in report["memories"])
     assert report["ramb36_total"] < report["device_ramb36"]

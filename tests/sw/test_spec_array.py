@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from macram.spec import BY_NAME, REGISTERS, ArrayConfig, ConvSpec, IntFormat
+from macram.spec import BY_NAME, REGISTERS, ArrayConfig, ConvSpec, IntFormat, channel_passes, pass_specs
 from macram.spec.registers import ADDRESS_BITS, ID_VALUE
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -15,7 +15,7 @@ def test_reference_figures():
     assert array == ArrayConfig()
     assert str(array.accumulator) == "s19"
     assert (array.weight_word_bits, array.line_word_bits, array.block_bits) == (72, 96, 24)
-    assert (array.thresholds, array.requant_entry_bits, array.requant_word_bits) == (7, 134, 536)
+    assert (array.thresholds, array.requant_entry_bits, array.requant_word_bits) == (7, 168, 672)
     assert (array.requant_depth, array.max_tiles, array.drain_cycles) == (256, 16, 16)
     assert array.peak_macs == 6144
     layer = ConvSpec(64, 128, 128, 128)
@@ -42,7 +42,7 @@ def test_ready_made_configurations_survive_the_round_trip(path):
 
 def test_eight_output_bits_use_the_multiplier():
     array = ArrayConfig(output=IntFormat(8))
-    assert (array.thresholds, array.requant_entry_bits) == (0, 18 + 48 + 6)
+    assert (array.thresholds, array.requant_entry_bits) == (0, 18 + 48 + 6 + 2 * 17)
     assert ArrayConfig(output=IntFormat(4)).thresholds == 15
 
 
@@ -78,15 +78,24 @@ def test_bad_arrays_are_refused(changes, words):
         ({"input": IntFormat(8)}, "the array's input format is u3, the layer's is u8"),
         ({"weight": IntFormat(4, signed=True)}, "the array's weight format is s3, the layer's is s4"),
         ({"output": IntFormat(3, signed=True)}, "the array's output format is u3, the layer's is s3"),
-        ({"kernel": 1, "padding": 0}, "not 1x1 with stride 1 and padding 0"),
-        ({"stride": 2}, "not 3x3 with stride 2 and padding 1"),
-        ({"padding": 0}, "not 3x3 with stride 1 and padding 0"),
+        ({"input": IntFormat(4, signed=True)}, "the array's input format is u3, the layer's is s4"),
+        ({"padding": 0}, "not 3x3 with padding 0"),
+        ({"padding": 0, "stride": 2}, "not 3x3 with padding 0"),
         ({"c_in": 1025}, "c_in must be at most 1024, not 1025"),
         ({"c_out": 1025}, "c_out must be at most 1024, not 1025"),
         ({"height": 65536}, "height and width must be at most 65535, not 65536x8"),
         (
-            {"c_in": 512, "c_out": 192},
-            "512 -> 192 channels need 576 weight words per unit, the array has 512",
+            {"c_in": 512, "c_out": 384},
+            "512 -> 384 channels need 1152 weight words per unit, the array has 1024",
+        ),
+        (
+            {"c_in": 512, "c_out": 192, "stride": 2},
+            "512 -> 192 channels need 1152 weight words per unit, the array has 1024",
+        ),
+        ({"c_in": 8, "width": 2050, "stride": 2, "kernel": 1, "padding": 0}, "needs 1028 line-buffer words"),
+        (
+            {"c_in": 64, "width": 513, "kernel": 1, "padding": 0, "stride": 2},
+            "513 pixels x 64 channels needs 1040 line-buffer words",
         ),
         (
             {"c_in": 64, "width": 260},
@@ -102,7 +111,16 @@ def test_layers_that_do_not_fit_are_refused(layer, words):
 
 @pytest.mark.parametrize(
     "layer",
-    [{"c_in": 512, "c_out": 128}, {"c_in": 64, "width": 256}, {"c_in": 1024, "c_out": 64}, {"height": 65535}],
+    [
+        {"c_in": 512, "c_out": 320},
+        {"c_in": 64, "width": 256},
+        {"c_in": 64, "width": 256, "stride": 2},
+        {"c_in": 1024, "c_out": 128},
+        {"c_in": 1024, "c_out": 64, "stride": 2},
+        {"c_in": 1024, "c_out": 512, "kernel": 1, "padding": 0},
+        {"input": IntFormat(3, signed=True)},
+        {"height": 65535},
+    ],
 )
 def test_layers_that_just_fit_are_admitted(layer):
     ArrayConfig().check_admits(ConvSpec(**{"c_in": 8, "c_out": 8, "height": 8, "width": 8, **layer}))
@@ -157,3 +175,30 @@ def test_register_map_is_consistent():
         assert 0 <= register.reset < 1 << 32
         assert BY_NAME[register.name] is register
     assert ID_VALUE.to_bytes(4, "big") == b"MACR"
+
+
+def test_passes_cover_the_channels_and_fit_in_pairs_where_they_can():
+    array = ArrayConfig()
+    for c_in, c_out, stride, wanted in (
+        (64, 128, 1, [128]),
+        (512, 1024, 1, [128] * 8),
+        (512, 1000, 1, [128] * 7 + [104]),
+        (1024, 256, 2, [64] * 4),
+        (1024, 1024, 1, [64] * 16),
+        (8, 2500, 1, [512] * 4 + [452]),
+    ):
+        layer = ConvSpec(c_in, c_out, 8, 8, stride=stride)
+        parts = channel_passes(layer, array)
+        assert [len(part) for part in parts] == wanted
+        assert [channel for part in parts for channel in part] == list(range(c_out))
+        for spec in pass_specs(layer, array):
+            array.check_admits(spec)
+    with pytest.raises(
+        ValueError, match="c_in must be at most 1024, not 1025; build an array with a larger max_c_in"
+    ):
+        channel_passes(ConvSpec(1025, 4096, 8, 8), array)
+
+
+def test_border_terms_hold_half_the_range_times_all_outer_taps():
+    assert str(ArrayConfig().border) == "s17"  # 4 * 3 * 1024 * -4 = -49152
+    assert ArrayConfig(input=IntFormat(3, signed=True)).border is None

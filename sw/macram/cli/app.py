@@ -48,12 +48,15 @@ exit status: 0 all well, 1 a check failed, 2 bad input or a missing tool
 
 LAYER_EPILOG = """\
 keys of the layer file (numpy.savez):
-  weights                               int [Cout,Cin,3,3], signed codes of weight_bits
+  weights                               int [Cout,Cin,k,k], k 1 or 3, signed codes of weight_bits
   input                                 int [Cin,H,W], codes of input_bits
   scale, offset                         floating-point [Cout]: code = clip(rint(scale * sum + offset))
   weight_bits, input_bits, output_bits  2 to 8
-  stride, padding                       1 and 1 for the array
+  stride, padding                       1 or 2; k // 2 for the array
   input_signed, output_signed           optional: 1 if these codes are signed; 0 when absent
+
+More output channels than the array holds take several passes over the image; the next pass's weights
+load while the array computes. Signed input codes run on arrays of unsigned inputs with as many bits.
 
 The array's simulator is built once per array and kept in ~/.cache/macram/sim ($XDG_CACHE_HOME is heeded),
 or in $MACRAM_BUILD_DIR/sim where that is set.
@@ -155,6 +158,10 @@ def _layers(verb: Verb) -> None:
     example.add_argument(
         "--size", type=int, nargs=2, default=(12, 20), metavar=("H", "W"), help="default: 12 20"
     )
+    example.add_argument("--kernel", type=int, choices=(1, 3), default=3, help="1x1 or 3x3 (default: 3)")
+    example.add_argument("--stride", type=int, choices=(1, 2), default=1, help="default: 1")
+    example.add_argument("--signed-input", action="store_true", help="input codes of both signs")
+    example.add_argument("--signed-output", action="store_true", help="output codes of both signs")
     example.add_argument(
         "--bits",
         type=int,

@@ -9,7 +9,7 @@ from macram.cli.console import open_console
 from macram.cli.stages import Stages
 from macram.cli.traffic import traffic
 from macram.layer_job import array_for, run_layer_job, run_summary, write_run
-from macram.spec import ArrayConfig, ConvSpec, IntFormat
+from macram.spec import ArrayConfig, ConvSpec, IntFormat, channel_passes
 
 if TYPE_CHECKING:
     from macram.layer_file import LayerCase
@@ -36,14 +36,16 @@ def layer(arguments: argparse.Namespace) -> int:
 
 def pack(arguments: argparse.Namespace) -> int:
     """Write the BRAM images of a layer file."""
-    from macram.pack import pack_layer  # noqa: PLC0415
+    from macram.pack import pack_passes  # noqa: PLC0415
 
     case, array = _case(arguments)
-    packed = pack_layer(case, array)
+    passes = pack_passes(case, array)
     _folder(arguments)
-    packed.write(arguments.out)
+    for index, packed in enumerate(passes):
+        packed.write(arguments.out if len(passes) == 1 else arguments.out / f"pass_{index}")
     print(
         f"{case.spec.c_out} x {case.spec.fan_in} weights packed for array {array.name} into {arguments.out}"
+        + (f", in {len(passes)} passes of up to {passes[0].spec.c_out} channels" if len(passes) > 1 else "")
     )
     return 0
 
@@ -61,13 +63,19 @@ def example(arguments: argparse.Namespace) -> int:
         c_out,
         height,
         width,
+        kernel=arguments.kernel,
+        stride=arguments.stride,
+        padding=arguments.kernel // 2,
         weight=IntFormat(weight, signed=True),
-        input=IntFormat(into),
-        output=IntFormat(out),
+        input=IntFormat(into, signed=arguments.signed_input),
+        output=IntFormat(out, signed=arguments.signed_output),
     )
     array_for(spec)
     random_case(spec, arguments.seed).save(arguments.file)
-    print(f"{arguments.file}: {c_in} -> {c_out} channels, {height} x {width}; run it with")
+    print(
+        f"{arguments.file}: {c_in} -> {c_out} channels, {height} x {width}, kernel {spec.kernel}x{spec.kernel}, "
+        f"stride {spec.stride}; run it with"
+    )
     print(f"  macram layer {arguments.file} -o build/layer")
     return 0
 
@@ -81,7 +89,7 @@ def _case(arguments: argparse.Namespace) -> tuple[LayerCase, ArrayConfig]:
     try:
         if given is None:
             return case, array_for(case.spec)
-        given.check_admits(case.spec)
+        channel_passes(case.spec, given)
     except ValueError as error:
         raise ValueError(f"{arguments.file}: {error}") from error
     return case, given

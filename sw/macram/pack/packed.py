@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,13 +14,15 @@ from macram.layer_file import LayerCase
 from macram.pack.bits import Words, words_to_ints
 from macram.pack.files import read_folder, write_folder
 from macram.pack.layout import (
+    absent_requant,
     pack_requant,
     pack_weights,
-    requant_words,
+    unpack_borders,
     unpack_requant,
     unpack_weights,
 )
-from macram.spec import ArrayConfig, ConvSpec, words_to_beats
+from macram.pack.signed import Rise
+from macram.spec import ArrayConfig, ConvSpec, channel_passes, words_to_beats
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +49,7 @@ class PackedLayer:
         array.check_admits(spec)
         for name, width, depth in (
             ("weights", array.weight_word_bits, (array.units, array.weight_words(spec))),
-            ("requant", array.requant_word_bits, (requant_words(spec, array),)),
+            ("requant", array.requant_word_bits, (array.requant_words(spec),)),
         ):
             words: Words = getattr(self, name)
             shape = (*depth, -(-width // 8))
@@ -103,11 +106,11 @@ class PackedLayer:
             ValueError: the folder cannot be written.
         """
         array = self.array
-        requant = unpack_requant(self.requant, self.spec, array)
         deep = np.zeros((array.units, array.weight_depth, self.weights.shape[2]), np.uint8)
         deep[:, : self.weight_words] = self.weights
         memories = {f"unit_{unit:03d}": (deep[unit], array.weight_word_bits) for unit in range(array.units)}
-        memories["requant"] = (pack_requant(requant, array, array.requant_depth), array.requant_word_bits)
+        rest = absent_requant(array, array.requant_depth - self.requant_words)
+        memories["requant"] = (np.concatenate([self.requant, rest]), array.requant_word_bits)
         write_folder(Path(folder), self.spec, array, self.requantiser, memories)
 
 
@@ -123,19 +126,43 @@ def pack_layer(case: LayerCase, array: ArrayConfig) -> PackedLayer:
     return PackedLayer(
         spec,
         array,
-        pack_weights(case.weights, array),
-        pack_requant(requant, array, requant_words(spec, array)),
+        pack_weights(case.weights, spec, array),
+        pack_requant(requant, Rise.of(case.weights, spec, array), array, array.requant_words(spec)),
     )
 
 
+def pack_passes(case: LayerCase, array: ArrayConfig) -> list[PackedLayer]:
+    """`pack_layer` of every pass over the output channels, see `macram.spec.channel_passes`.
+
+    Raises:
+        ValueError: the array does not admit even one tile of the layer; the line names the limit.
+    """
+    parts = []
+    for channels in channel_passes(case.spec, array):
+        part = slice(channels.start, channels.stop)
+        spec = dataclasses.replace(case.spec, c_out=len(channels))
+        parts.append(LayerCase(spec, case.weights[part], case.input, case.scale[part], case.offset[part]))
+    return [pack_layer(part, array) for part in parts]
+
+
 def unpack(packed: PackedLayer) -> tuple[NDArray[np.int64], ThresholdRequant | ShiftRequant]:
-    """Weights ``[c_out, c_in, 3, 3]`` and requantiser back from the words: the inverse of `pack_layer`.
+    """Weights ``[c_out, c_in, kernel, kernel]`` and requantiser back from the words: the inverse of `pack_layer`.
+
+    Of raised input codes (`macram.pack.signed`) the requantiser is rid again; its thresholds are those of
+    `pack_layer` for every sum that the weights can give.
 
     Raises:
         ValueError: the words hold requantiser parameters that no layer can have.
     """
-    weights = unpack_weights(packed.weights, packed.spec, packed.array)
-    return weights, unpack_requant(packed.requant, packed.spec, packed.array)
+    spec, array = packed.spec, packed.array
+    weights = unpack_weights(packed.weights, spec, array)
+    rise = Rise.of(weights, spec, array)
+    for name, found, wanted in zip(
+        ("left", "right"), unpack_borders(packed.requant, spec, array), (rise.left, rise.right), strict=False
+    ):
+        if (found != wanted).any():
+            raise ValueError(f"the {name} border terms do not follow from the weights; pack the layer again")
+    return weights, unpack_requant(packed.requant, rise, spec, array)
 
 
 def read_packed(folder: Path) -> PackedLayer:
@@ -152,7 +179,7 @@ def read_packed(folder: Path) -> PackedLayer:
             spec,
             array,
             np.ascontiguousarray(weights[:, : array.weight_words(spec)]),
-            np.ascontiguousarray(memories["requant"][: requant_words(spec, array)]),
+            np.ascontiguousarray(memories["requant"][: array.requant_words(spec)]),
         )
     except ValueError as error:
         raise ValueError(f"{folder}: {error}") from error

@@ -71,7 +71,7 @@ def ramb36(depth: int, width: int, grain: int | None = None) -> float:
 def memories(array: ArrayConfig, layer: ConvSpec) -> list[Memory]:
     """The array's block memories, and how much of each ``layer`` uses; small ones in LUTs are left out."""
     per_bank = array.row_words // array.ingest
-    row_used = array.groups(layer.width) * ceil_div(array.blocks(layer.c_in), array.ingest)
+    row_used = array.line_words(layer) // array.ingest
     section = array.max_c_out // array.output_word_channels
     codes = array.output_word_channels * array.output.bits
     rows = (

@@ -3,6 +3,7 @@
 from macram.spec.array import ENGINE_LATENCY, GROUP, LANES, MAX_SIDE, TAPS, ArrayConfig, parse_format
 from macram.spec.formats import IntFormat, ceil_div, signed_format_for
 from macram.spec.layer import ConvSpec, accumulator_format, accumulator_range
+from macram.spec.passes import channel_passes, pass_specs
 from macram.spec.registers import BY_NAME, REGISTERS, Control, Error, Register, Status
 from macram.spec.stream import StreamLayout, words_to_beats
 
@@ -25,7 +26,9 @@ __all__ = [
     "accumulator_format",
     "accumulator_range",
     "ceil_div",
+    "channel_passes",
     "parse_format",
+    "pass_specs",
     "signed_format_for",
     "words_to_beats",
 ]

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
-from macram.spec.formats import IntFormat, ceil_div
+from macram.spec.formats import IntFormat, ceil_div, signed_format_for
 from macram.spec.layer import ConvSpec, accumulator_format
 
 GROUP = 4
@@ -43,7 +43,8 @@ class ArrayConfig:
         weight, input, output: code formats.
         max_c_in: input channels the accumulator is sized for.
         max_c_out: output channels of one pass (requantiser and carry memories).
-        weight_depth: weight words per unit; a layer needs ``tiles * 3 * blocks``.
+        weight_depth: weight words per unit; a layer needs `weight_words`. Two layers that fit side by side let
+            one be loaded while the other runs.
         row_words: line-buffer words (4 pixels x ``rows`` channels) per image row.
         stream_bits: TDATA width of all three streams.
         ingest: channel blocks written to the line buffer per cycle (one bank each).
@@ -62,7 +63,7 @@ class ArrayConfig:
     output: IntFormat = field(default_factory=lambda: IntFormat(3))
     max_c_in: int = 1024
     max_c_out: int = 1024
-    weight_depth: int = 512
+    weight_depth: int = 1024
     row_words: int = 512
     stream_bits: int = 64
     ingest: int = 2
@@ -138,11 +139,24 @@ class ArrayConfig:
         return (1 << self.output.bits) - 1 if self.output.bits <= MAX_THRESHOLD_BITS else 0
 
     @property
+    def border(self) -> IntFormat | None:
+        """Format of a channel's two border terms; None where inputs are signed as they come.
+
+        With signed codes raised by half their range, the padding beside the first and the last column, which no
+        step ever reads, counts as that half times the outer taps.
+        """
+        if self.input.signed:
+            return None
+        half, count = 1 << (self.input.bits - 1), TAPS * self.max_c_in
+        return signed_format_for(half * count * self.weight.lo, half * count * self.weight.hi)
+
+    @property
     def requant_entry_bits(self) -> int:
-        """Bits of one channel's requantiser parameters."""
+        """Bits of one channel's requantiser parameters, border terms included."""
+        borders = 2 * self.border.bits if self.border else 0
         if self.thresholds:
-            return self.thresholds * self.accumulator.bits + 1
-        return MULT_BITS + OFFSET_BITS + SHIFT_BITS
+            return self.thresholds * self.accumulator.bits + 1 + borders
+        return MULT_BITS + OFFSET_BITS + SHIFT_BITS + borders
 
     @property
     def requant_word_bits(self) -> int:
@@ -193,9 +207,31 @@ class ArrayConfig:
         """4-pixel groups of one row."""
         return ceil_div(width, GROUP)
 
+    @staticmethod
+    def phases(layer: ConvSpec) -> int:
+        """Pixel phases that take part in a sum: even and odd columns of a 3x3 kernel with stride 2, else one."""
+        return layer.stride if layer.kernel == TAPS else 1
+
+    def steps(self, layer: ConvSpec) -> int:
+        """Compute steps of one sum: kernel rows x pixel phases x channel blocks."""
+        return layer.kernel * self.phases(layer) * self.blocks(layer.c_in)
+
     def weight_words(self, layer: ConvSpec) -> int:
-        """Weight words per unit that ``layer`` needs."""
-        return self.tiles(layer.c_out) * TAPS * self.blocks(layer.c_in)
+        """Weight words per unit that ``layer`` needs: one per step and output-channel tile."""
+        return self.tiles(layer.c_out) * self.steps(layer)
+
+    def requant_words(self, layer: ConvSpec) -> int:
+        """Requantiser words that ``layer`` needs: whole tiles."""
+        return self.tiles(layer.c_out) * self.drain_cycles
+
+    def line_words(self, layer: ConvSpec) -> int:
+        """Line-buffer words of one image row of ``layer``, those of ingest words begun but not filled included."""
+        per_pixel = ceil_div(self.blocks(layer.c_in), self.ingest) * self.ingest
+        return self.groups(layer.out_width) * layer.stride * per_pixel
+
+    def biased(self, layer: ConvSpec) -> bool:
+        """Whether signed input codes meet an array of unsigned inputs: they are raised by half their range."""
+        return layer.input.signed and not self.input.signed
 
     def check_admits(self, layer: ConvSpec) -> None:
         """Refuse a layer that this array cannot run in one pass.
@@ -205,15 +241,18 @@ class ArrayConfig:
         """
         for key in ("weight", "input", "output"):
             mine, theirs = getattr(self, key), getattr(layer, key)
-            if mine != theirs:
+            raised = key == "input" and self.biased(layer) and mine.bits == theirs.bits
+            if mine != theirs and not raised:
                 raise ValueError(f"the array's {key} format is {mine}, the layer's is {theirs}")
-        if (layer.kernel, layer.stride, layer.padding) != (3, 1, 1):
+        if layer.padding != layer.kernel // 2:
             raise ValueError(
-                "the array runs 3x3 kernels with stride 1 and padding 1 so far, not "
-                f"{layer.kernel}x{layer.kernel} with stride {layer.stride} and padding {layer.padding}"
+                f"the array runs 3x3 kernels with padding 1 and 1x1 kernels with padding 0, not "
+                f"{layer.kernel}x{layer.kernel} with padding {layer.padding}"
             )
         if layer.c_in > self.max_c_in:
-            raise ValueError(f"c_in must be at most {self.max_c_in}, not {layer.c_in}")
+            raise ValueError(
+                f"c_in must be at most {self.max_c_in}, not {layer.c_in}; build an array with a larger max_c_in"
+            )
         if layer.c_out > self.max_c_out:
             raise ValueError(f"c_out must be at most {self.max_c_out}, not {layer.c_out}")
         if max(layer.height, layer.width) > MAX_SIDE:
@@ -224,7 +263,7 @@ class ArrayConfig:
                 f"{layer.c_in} -> {layer.c_out} channels need {words} weight words per unit, "
                 f"the array has {self.weight_depth}; split the output channels"
             )
-        row = self.groups(layer.width) * ceil_div(self.blocks(layer.c_in), self.ingest) * self.ingest
+        row = self.line_words(layer)
         if row > self.row_words:
             raise ValueError(
                 f"a row of {layer.width} pixels x {layer.c_in} channels needs {row} line-buffer words, "

@@ -27,11 +27,12 @@ class Control(IntFlag):
 
 
 class Status(IntFlag):
-    """Bits of STATUS."""
+    """Bits of STATUS. BUSY: an image is being run. LOADING: a parameter load is under way."""
 
     BUSY = 1
     DONE = 2
     ERROR = 4
+    LOADING = 8
 
 
 class Error(IntEnum):
@@ -43,24 +44,36 @@ class Error(IntEnum):
     TLAST_EARLY = 3
     TLAST_MISSING = 4
     BAD_COMMAND = 5
+    BAD_RANGE = 6
 
 
 ID_VALUE = 0x4D41_4352
-VERSION_VALUE = 0x0001_0000
+VERSION_VALUE = 0x0002_0000
 MODE_3X3 = 0x0001_0103
-"""MODE: kernel in bits 7:0, stride in 15:8, padding in 23:16."""
+"""MODE of a 3x3 kernel with stride 1 and padding 1, see `mode_word`."""
+
+
+def mode_word(kernel: int, stride: int, padding: int, *, biased: bool = False) -> int:
+    """Value of MODE: kernel in bits 7:0, stride in 15:8, padding in 23:16, signed codes on unsigned inputs in 24."""
+    return kernel | stride << 8 | padding << 16 | biased << 24
+
+
+MODES: tuple[int, ...] = tuple(
+    mode_word(kernel, stride, kernel // 2) for kernel in (1, 3) for stride in (1, 2)
+)
+"""What an array runs, without bit 24, which arrays of unsigned inputs take beside each of them."""
 
 REGISTERS: tuple[Register, ...] = (
     Register("ID", 0x00, "RO", ID_VALUE, "ASCII 'MACR'"),
     Register("VERSION", 0x04, "RO", VERSION_VALUE, "major in 31:16, minor in 15:0"),
     Register("CONTROL", 0x08, "WO", 0, "start 0, load weights 1, load requantiser 2, soft reset 3"),
-    Register("STATUS", 0x0C, "RO", 0, "busy 0, done 1, error 2"),
+    Register("STATUS", 0x0C, "RO", 0, "image busy 0, done 1, error 2, loading 3"),
     Register("ERROR", 0x10, "RO", 0, "error code, see the table of codes"),
     Register("HEIGHT", 0x14, "RW", 0, "image rows"),
     Register("WIDTH", 0x18, "RW", 0, "image columns"),
     Register("C_IN", 0x1C, "RW", 0, "input channels"),
     Register("C_OUT", 0x20, "RW", 0, "output channels"),
-    Register("MODE", 0x24, "RW", MODE_3X3, "kernel 7:0, stride 15:8, padding 23:16"),
+    Register("MODE", 0x24, "RW", MODE_3X3, "kernel 7:0, stride 15:8, padding 23:16, signed input codes 24"),
     Register("PARAM_WORDS", 0x28, "RW", 0, "words to load: per unit for weights, in all for the requantiser"),
     Register("CYCLES", 0x2C, "RO", 0, "first accepted input beat to last output beat, both counted"),
     Register("MAC_CYCLES", 0x30, "RO", 0, "cycles of CYCLES that issued a compute step"),
@@ -73,7 +86,13 @@ REGISTERS: tuple[Register, ...] = (
     Register("WEIGHT_DEPTH", 0x4C, "RO", 0, "weight words per unit"),
     Register("ROW_WORDS", 0x50, "RO", 0, "line-buffer words per image row"),
     Register("MAX_CHANNELS", 0x54, "RO", 0, "input channels 15:0, output channels 31:16"),
+    Register("PARAM_BASE", 0x58, "RW", 0, "address of the first word to load"),
+    Register("WEIGHT_BASE", 0x5C, "RW", 0, "address of the layer's first weight word in every unit"),
+    Register("REQUANT_BASE", 0x60, "RW", 0, "address of the layer's first requantiser word"),
 )
+
+LOAD_REGISTERS = frozenset({"PARAM_WORDS", "PARAM_BASE"})
+"""Of a load: they can be written while an image runs, and not while a load is under way. The others the reverse."""
 
 BY_NAME: dict[str, Register] = {register.name: register for register in REGISTERS}
 ADDRESS_BITS = 7
@@ -84,8 +103,10 @@ def register_table() -> str:
     lines = [
         "# Register map",
         "",
-        "AXI4-Lite, 32-bit data, byte offsets. Writes to RO or unmapped addresses, reads of unmapped",
-        "addresses, and writes other than a soft reset while busy are answered SLVERR and change nothing.",
+        "AXI4-Lite, 32-bit data, byte offsets. Writes to RO or unmapped addresses and reads of unmapped",
+        "addresses are answered SLVERR and change nothing; so are writes to PARAM_WORDS and PARAM_BASE during",
+        "a load, and to the other RW registers while an image runs. Commands are always taken: one that is",
+        "not possible now only sets ERROR, and what runs goes on.",
         "",
         "| offset | name | access | reset | meaning |",
         "| --- | --- | --- | --- | --- |",
