@@ -239,9 +239,10 @@ _EVENTS = (
     ),
     ("BAD_SHAPE, row too long", "the line buffer's limit"),
     *((f"BAD_MODE, {what}", "each field of MODE is compared") for what in ("kernel", "stride", "padding")),
-    ("BAD_COMMAND, no words", "a load that would never end"),
-    ("BAD_COMMAND, too many weights", "a load beyond the memory"),
-    ("BAD_COMMAND, too many requantiser words", "a load beyond the memory"),
+    ("BAD_RANGE, no words", "a load that would never end"),
+    ("BAD_RANGE, too many weights", "a load beyond the memory"),
+    ("BAD_RANGE, too many requantiser words", "a load beyond the memory"),
+    ("BAD_RANGE, a load onto the running layer", "refused, and the image is unharmed"),
     ("BAD_COMMAND, two commands", "no order is defined"),
 )
 

@@ -23,6 +23,7 @@ SCENARIOS = (
     "snooped",
     "back to back",
     "writes while busy",
+    "load while busy",
     "bad accesses",
     "reset waiting",
     "reset filling",

@@ -12,8 +12,8 @@ import numpy as np
 from cocotb.triggers import ClockCycles, RisingEdge, gather
 
 from macram.golden import random_case
-from macram.spec import BY_NAME, MAX_SIDE, REGISTERS, Control, Error, Status
-from macram.spec.registers import ADDRESS_BITS
+from macram.spec import MAX_SIDE, REGISTERS, Control, Error, Status
+from macram.spec.registers import ADDRESS_BITS, LOAD_REGISTERS, MODE_3X3
 from macram_sim.regression_case import CaseBench
 
 Scenario = Callable[[CaseBench, random.Random], Awaitable[None]]
@@ -86,21 +86,38 @@ async def _back_to_back(bench: CaseBench, rng: random.Random) -> None:
 
 async def _writes_while_busy(bench: CaseBench, rng: random.Random) -> None:
     """In the middle of an image; the image goes on unharmed."""
-    stored = [r for r in REGISTERS if r.access == "RW"]
+    stored = [r for r in REGISTERS if r.access == "RW" and r.name not in LOAD_REGISTERS]
     before = {r.name: await bench.read(r.name) for r in stored}
     await bench.write("CONTROL", Control.START)
     image = cocotb.start_soon(bench.stream())
     await _until(bench, lambda moved, start: moved[0] - start[0] >= bench.case.moment * len(bench.beats) - 1)
+    refusal = Error.NONE
     if len(bench.beats) > 12:
         # A short image may end before the last of these writes.
         register = rng.choice(stored)
         await bench.refused(register.offset, rng.getrandbits(32), "a register written while busy")
-        command = rng.choice([1, 2, 4, 9, 15])
-        await bench.refused(BY_NAME["CONTROL"].offset, command, "a command while busy")
+        await bench.write("CONTROL", rng.choice([1, 3, 5, 7]))
+        refusal = Error.BAD_COMMAND
+        assert await bench.read("ERROR") == refusal
+        bench.events.add("a command while busy")
     await image
-    await _ended(bench, Error.NONE)
+    await _ended(bench, refusal)
     after = {r.name: await bench.read(r.name) for r in stored}
     assert before == after, f"a refused write changed a register: {before} became {after}"
+
+
+async def _load_while_busy(bench: CaseBench, rng: random.Random) -> None:
+    """A load onto the running layer is refused, and the image is unharmed."""
+    command, words, _ = _load_of(bench, weights=rng.random() < 0.5)
+    await bench.write("PARAM_BASE", 0)
+    await bench.write("PARAM_WORDS", words)
+    await bench.write("CONTROL", Control.START)
+    await ClockCycles(bench.dut.aclk, 4)
+    await bench.write("CONTROL", command)
+    assert await bench.read("ERROR") == Error.BAD_RANGE
+    await bench.stream()
+    await _ended(bench, Error.BAD_RANGE)
+    bench.events.add("BAD_RANGE, a load onto the running layer")
 
 
 async def _bad_accesses(bench: CaseBench, rng: random.Random) -> None:
@@ -282,7 +299,10 @@ async def _bad_shape(bench: CaseBench, rng: random.Random) -> None:
     ]
     if 3 * array.max_tiles * array.blocks(array.max_c_in) > array.weight_depth:
         bad.append(
-            ("BAD_SHAPE, too many weights", {"WIDTH": 1, "C_IN": array.max_c_in, "C_OUT": array.max_c_out})
+            (
+                "BAD_SHAPE, too many weights",
+                {"MODE": MODE_3X3, "WIDTH": 1, "C_IN": array.max_c_in, "C_OUT": array.max_c_out},
+            )
         )
     for event, values in bad:
         for name, value in values.items():
@@ -309,15 +329,20 @@ async def _bad_mode(bench: CaseBench, rng: random.Random) -> None:
 
 async def _bad_command(bench: CaseBench, rng: random.Random) -> None:
     array = bench.array
-    for event, words, command in (
-        ("BAD_COMMAND, no words", 0, rng.choice([Control.LOAD_WEIGHTS, Control.LOAD_REQUANT])),
-        ("BAD_COMMAND, too many weights", array.weight_depth + 1, Control.LOAD_WEIGHTS),
-        ("BAD_COMMAND, too many requantiser words", array.requant_depth + 1, Control.LOAD_REQUANT),
-        ("BAD_COMMAND, two commands", 1, rng.choice([3, 5, 6, 7])),
+    for event, words, command, code in (
+        ("BAD_RANGE, no words", 0, rng.choice([Control.LOAD_WEIGHTS, Control.LOAD_REQUANT]), Error.BAD_RANGE),
+        ("BAD_RANGE, too many weights", array.weight_depth + 1, Control.LOAD_WEIGHTS, Error.BAD_RANGE),
+        (
+            "BAD_RANGE, too many requantiser words",
+            array.requant_depth + 1,
+            Control.LOAD_REQUANT,
+            Error.BAD_RANGE,
+        ),
+        ("BAD_COMMAND, two commands", 1, rng.choice([3, 5, 6, 7]), Error.BAD_COMMAND),
     ):
         await bench.write("PARAM_WORDS", words)
         await bench.write("CONTROL", command)
-        await bench.fails_with(Error.BAD_COMMAND, event)
+        await bench.fails_with(code, event)
 
 
 # ---- waiting -----------------------------------------------------------------------------------------------------
@@ -346,6 +371,7 @@ _SCENARIOS: dict[str, Scenario] = {
     "snooped": _snooped,
     "back to back": _back_to_back,
     "writes while busy": _writes_while_busy,
+    "load while busy": _load_while_busy,
     "bad accesses": _bad_accesses,
     "reset waiting": _reset_waiting,
     "reset filling": _reset_when("soft reset while the line buffer fills", _early),

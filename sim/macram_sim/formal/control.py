@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from macram.spec import BY_NAME, REGISTERS
-from macram.spec.registers import ADDRESS_BITS, MODE_3X3
+from macram.spec.registers import ADDRESS_BITS, LOAD_REGISTERS, MODE_3X3
 from macram_sim.formal.designs import SMALL
 from macram_sim.formal.harness import OPENING
 from macram_sim.formal.proof import Break, Proof
 
 _REGISTERS = f"""
-    (* anyseq *) wire [{ADDRESS_BITS - 1}:0] awaddr, araddr; (* anyseq *) wire awvalid, wvalid, bready, arvalid, rready;
-    (* anyseq *) wire [31:0] wdata; (* anyseq *) wire [3:0] wstrb; (* anyseq *) wire busy;
+    (* anyseq *) wire [{ADDRESS_BITS - 1}:0] awaddr, araddr; (* anyseq *) wire awvalid, wvalid, bready;
+    (* anyseq *) wire arvalid, rready;
+    (* anyseq *) wire [31:0] wdata; (* anyseq *) wire [3:0] wstrb; (* anyseq *) wire busy, loading;
     wire awready, wready, bvalid, arready, rvalid; wire [1:0] bresp, rresp; wire [31:0] rdata; wire [3:0] command;
     wire [31:0] height, mode, width;
     dut dut(.clk(clk), .rst(rst), .axi__awaddr(awaddr), .axi__awprot(3'd0), .axi__awvalid(awvalid),
         .axi__awready(awready), .axi__wdata(wdata), .axi__wstrb(wstrb), .axi__wvalid(wvalid), .axi__wready(wready),
         .axi__bresp(bresp), .axi__bvalid(bvalid), .axi__bready(bready), .axi__araddr(araddr), .axi__arprot(3'd0),
         .axi__arvalid(arvalid), .axi__arready(arready), .axi__rdata(rdata), .axi__rresp(rresp), .axi__rvalid(rvalid),
-        .axi__rready(rready), .busy(busy), .command(command), .height(height), .width(width), .mode(mode));
+        .axi__rready(rready), .busy(busy), .loading(loading), .command(command), .height(height),
+        .width(width), .mode(mode));
     // A manager keeps what it offers.
     reg aw_waits = 0, w_waits = 0, ar_waits = 0; reg [{ADDRESS_BITS - 1}:0] aw_was, ar_was; reg [35:0] w_was;
     always @(posedge clk) begin
@@ -70,6 +72,7 @@ endmodule
 def _decode() -> str:
     """Who is answered SLVERR, and what a write changes."""
     stored = " || ".join(f"word == {r.offset >> 2}" for r in REGISTERS if r.access == "RW")
+    load = " || ".join(f"word == {r.offset >> 2}" for r in REGISTERS if r.name in LOAD_REGISTERS)
     mapped = " || ".join(f"read_word == {r.offset >> 2}" for r in REGISTERS)
     control, wide = BY_NAME["CONTROL"].offset >> 2, BY_NAME["HEIGHT"].offset >> 2
     return (
@@ -77,16 +80,17 @@ def _decode() -> str:
         + _REGISTERS
         + f"""
     reg [{ADDRESS_BITS - 3}:0] word, read_word; reg [31:0] data; reg [3:0] strobe;
-    reg was_busy, judged = 0, b_was = 0, r_was = 0; reg [31:0] height_was;
+    reg was_busy, was_loading, b_was = 0, r_was = 0; reg [31:0] height_was;
     wire [3:0] wanted = strobe[0] ? data[3:0] : 4'd0;
     wire is_stored = {stored};
     wire is_control = word == {control};
-    wire accepted = (is_stored && !was_busy) || (is_control && (!was_busy || (wanted & 4'b0111) == 0));
+    wire is_load = {load};
+    wire accepted = is_control || (is_stored && !(is_load ? was_loading : was_busy));
     always @(posedge clk) begin
         if (awvalid && awready) word <= awaddr >> 2;
         if (arvalid && arready) read_word <= araddr >> 2;
         if (wvalid && wready) begin data <= wdata; strobe <= wstrb; end
-        was_busy <= busy; b_was <= bvalid; r_was <= rvalid; height_was <= height;
+        was_busy <= busy; was_loading <= loading; b_was <= bvalid; r_was <= rvalid; height_was <= height;
         if (!rst && age > 1) begin
             if (bvalid && !b_was) begin
                 assert (bresp == (accepted ? 0 : 2));
@@ -123,7 +127,8 @@ def _run() -> str:
     reg [5:0] taken = 0, came = 0;
     wire [5:0] pixels = height * width;  // one beat each, in and out
     dut dut(.clk(clk), .rst(rst), .height({{30'd0, height}}), .width({{29'd0, width}}), .c_in({{30'd0, c_in}}),
-        .c_out({{28'd0, c_out}}), .mode(32'd{MODE_3X3}), .words(0), .command(age == 4 ? 3'd1 : 3'd0),
+        .c_out({{28'd0, c_out}}), .mode(32'd{MODE_3X3}), .words(0), .param_base(0), .weight_base(0),
+        .requant_base(0), .command(age == 4 ? 3'd1 : 3'd0),
         .busy(busy), .done(done),
         .error(error), .i__payload({{taken + 6'd1 == pixels, data}}), .i__valid(valid), .i__ready(in_ready),
         .params__payload(0), .params__valid(1'b0), .o__payload(out), .o__valid(out_valid), .o__ready(ready));
@@ -181,11 +186,11 @@ CONTROL: tuple[Proof, ...] = (
         False,
         ("axi_lite", "top"),
         (
-            Break(_AXI, "with m.If(~self.busy):", "with m.If(self.busy | 1):"),
+            Break(_AXI, "with m.If(~locked):", "with m.If(locked | 1):"),
             Break(
                 _AXI,
-                "~(wanted & ~Control.SOFT_RESET.value).any()",
-                "~(wanted & Control.SOFT_RESET.value).any()",
+                "m.d.sync += [axi.bresp.eq(OKAY), self.command.eq(wanted)]",
+                "m.d.sync += [axi.bresp.eq(SLVERR), self.command.eq(wanted)]",
             ),
             Break(_AXI, "with m.If(strobe[byte]):", "with m.If(strobe[0]):"),
             Break(_AXI, "m.d.sync += axi.rresp.eq(SLVERR)", "m.d.sync += axi.rresp.eq(OKAY)"),
@@ -207,13 +212,13 @@ CONTROL: tuple[Proof, ...] = (
             ),
             Break(
                 "sequencer.py",
-                "ahead.eq(Mux(shape.height == 1, 0, -shape.groups))",
+                "ahead.eq(Mux((shape.height == 1) | shape.pointwise, 0, -shape.groups))",
                 "ahead.eq(-shape.groups)",
             ),
             Break(
                 "line_buffer.py",
-                "m.d.sync += rows_free.eq(rows_free - row_done + self.retire)",
-                "m.d.sync += rows_free.eq(rows_free - row_done)",
+                "free.eq(free - group_done + self.retire + Mux(",
+                "free.eq(free - group_done + Mux(",
             ),
             Break(
                 "sequencer.py",
