@@ -22,7 +22,7 @@ TIMEOUT = 1200
 """Seconds after which a proof counts as not finished."""
 
 
-BROKEN_DEPTH = 9
+BROKEN_DEPTH = 16
 """Cycles, at least, in which a broken module must show its fault."""
 
 
