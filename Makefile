@@ -1,5 +1,5 @@
 # Thin over the `macram` command. `make demo` and `make test` set themselves up from a bare clone.
-# Variables: SEED=7  WAVES=1  IMAGE=picture.png  CONFIG=configs/tiny.toml  OUT=folder  PYTHON=python3.12
+# Variables: SEED=7  WAVES=1  IMAGE=picture.png  CONFIG=configs/tiny.toml  OUT=folder  CASES=1000  PYTHON=python3.12
 
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
@@ -15,12 +15,14 @@ CONFIG ?= configs/reference.toml
 SEED_ARG := $(if $(SEED),--seed $(SEED))
 WAVES_ARG := $(if $(filter-out 0,$(WAVES)),--waves)
 IMAGE_ARG := $(if $(IMAGE),--image "$(IMAGE)")
+CASES_ARG := $(if $(CASES),--cases $(CASES))
 OUT_ARG := $(if $(OUT),--out "$(OUT)")
 
 # Simulator builds stay in the repository here; without make they go to the user's cache folder.
 export MACRAM_BUILD_DIR ?= $(CURDIR)/build
 
-.PHONY: help setup tools demo test test-fast sim rtl rtl-check lint lint-rtl bench synth bitstream clean
+.PHONY: help setup tools demo test test-fast sim rtl rtl-check lint lint-rtl bench synth bitstream regression formal \
+	mutate clean
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## (.*)/\1|\2/' | \
@@ -70,6 +72,15 @@ lint: $(STAMP)  ## ruff and mypy
 
 lint-rtl: tools $(STAMP)  ## verilator --lint-only -Wall on the exported Verilog
 	@$(MACRAM) rtl --config $(CONFIG) $(OUT_ARG) --lint
+
+regression: tools $(STAMP)  ## random layers, faults and resets with functional coverage (CASES=60)
+	@$(MACRAM) verify regression $(OUT_ARG) $(SEED_ARG) $(CASES_ARG)
+
+formal: $(STAMP)  ## every proof, and that broken gateware fails it
+	@$(MACRAM) verify formal $(OUT_ARG)
+
+mutate: tools $(STAMP)  ## break the gateware in 80 places, count what notices (hours; goes on where it stopped)
+	@$(MACRAM) verify mutate $(OUT_ARG) $(SEED_ARG)
 
 bench: tools $(STAMP)  ## measure build, simulation and golden model into build/bench/bench.json
 	@$(MACRAM) bench $(OUT_ARG) $(SEED_ARG)

@@ -6,7 +6,7 @@ Both sample before the clock edge and write after it. A pattern says how many id
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import Any
 
 import numpy as np
@@ -59,14 +59,19 @@ class AxisSource:
         """Offer nothing."""
         self._valid.value = 0
 
-    async def send(self, beats: Beats) -> None:
-        """Send beats ``[n, bytes]``, TLAST on the last; returns in the cycle that took it.
+    async def send(self, beats: Beats, lasts: Collection[int] | None = None) -> None:
+        """Send beats ``[n, bytes]``; returns in the cycle that took the last of them.
 
         A beat once offered stays until it is taken. The data lines carry noise while nothing is offered.
+
+        Args:
+            beats: what to send.
+            lasts: indices of the beats with TLAST; default the last one alone.
         """
         edge, data, ready, pause = self._edge, self._data, self._ready, self._pause
         words = [int.from_bytes(row, "little") for row in np.ascontiguousarray(beats)]
-        final = len(words) - 1
+        ends = {len(words) - 1} if lasts is None else set(lasts)
+        changes = {0, *ends, *(end + 1 for end in ends)}
         noise = words[0] ^ ((1 << 8 * beats.shape[1]) - 1)
         for index, word in enumerate(words):
             if pause is not None and (idle := pause()):
@@ -76,9 +81,9 @@ class AxisSource:
                 for _ in range(idle):
                     await edge
             data.value = word
-            if pause is not None or index in (0, final):
+            if pause is not None or index in changes:
                 self._valid.value = 1
-                self._last.value = int(index == final)
+                self._last.value = int(index in ends)
             await edge
             while not ready.value:
                 await edge

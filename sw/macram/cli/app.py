@@ -20,6 +20,7 @@ from macram.cli import (
     predict_verb,
     synth_verb,
     train_verb,
+    verify_verb,
     weights_verb,
 )
 from macram.cli.examples import say_more
@@ -59,6 +60,7 @@ examples:
   macram train configs/train-tiny.toml         train a stage; see configs/ for the others
   macram evaluate runs/a/model.safetensors --data data     score it
   macram predict photo.png -o poses --weights runs/a/model.safetensors     draw the pose it finds
+  macram verify regression                     random layers, faults and resets, with functional coverage
   macram sim                                   full-size reference layer and odd shapes, a table at the end
 
 exit status: 0 all well, 1 a check failed, 2 bad input or a missing tool
@@ -125,6 +127,7 @@ def parser() -> argparse.ArgumentParser:
     predict_verb.add_predict(verb)
     weights_verb.add_weights(verb)
     experiments_verb.add_experiments(verb)
+    verify_verb.add_verify(verb)
     return top
 
 

@@ -1,0 +1,13 @@
+"""Formal proofs on the exported Verilog: real modules, SymbiYosys, an SMT solver."""
+
+from __future__ import annotations
+
+from macram_sim.formal.arithmetic import ARITHMETIC
+from macram_sim.formal.control import CONTROL
+from macram_sim.formal.proof import Break, Proof, ProofVerdict, prove
+from macram_sim.formal.streams import STREAMS
+
+PROOFS: tuple[Proof, ...] = (*STREAMS, *CONTROL, *ARITHMETIC)
+"""Every proof."""
+
+__all__ = ["PROOFS", "Break", "Proof", "ProofVerdict", "prove"]

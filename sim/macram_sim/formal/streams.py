@@ -1,0 +1,393 @@
+"""Proofs about streams: offers stay until taken; every bit comes out once, in its place, and nothing else does."""
+
+from __future__ import annotations
+
+from macram_sim.formal.designs import BEAT, SMALL, WORD
+from macram_sim.formal.harness import OPENING, packed, slice_of, stable_stream
+from macram_sim.formal.proof import Break, Proof
+
+_INGEST_PORTS = """
+    (* anyconst *) reg [15:0] beats; (* anyconst *) reg [15:0] words;
+    (* anyseq *) wire [{beat}:0] data; (* anyseq *) wire in_valid; (* anyseq *) wire out_ready;
+    wire in_ready, out_valid; wire [{word}:0] word;
+    dut dut(.clk(clk), .rst(rst), .beats_per_pixel(beats), .words_per_pixel(words), .i__payload(data),
+        .i__valid(in_valid), .i__ready(in_ready), .o__payload(word), .o__valid(out_valid), .o__ready(out_ready));
+"""
+_EMIT_PORTS = """
+    (* anyconst *) reg [15:0] beats; (* anyconst *) reg [15:0] words;
+    (* anyseq *) wire [{word}:0] word; (* anyseq *) wire in_valid; (* anyseq *) wire out_ready;
+    (* anyseq *) wire last;
+    wire in_ready, out_valid; wire [{beat}:0] data; wire tlast; wire pixel_last;
+    dut dut(.clk(clk), .rst(rst), .beats_per_pixel(beats), .i__payload({{last, pixel_last, word}}),
+        .i__valid(in_valid), .i__ready(in_ready), .o__payload({{tlast, data}}), .o__valid(out_valid),
+        .o__ready(out_ready));
+"""
+_LIMITS = f"""
+    always @* assume (beats >= 1 && beats <= 2 && words >= 1 && words <= 3);
+    // The last word holds a bit of the beats, and the last beat a bit of the words.
+    always @* assume ((words - 1) * {WORD} < beats * {BEAT} && (beats - 1) * {BEAT} < words * {WORD});
+"""
+_TAG = f"""
+    // One bit of one pixel, any of them: its place among the beats and among the words.
+    (* anyconst *) reg tag_pixel; (* anyconst *) reg tag_beat; (* anyconst *) reg [1:0] tag_word;
+    (* anyconst *) reg [2:0] beat_bit; (* anyconst *) reg [2:0] word_bit;
+    always @* assume (beat_bit < {BEAT} && word_bit < {WORD});
+    wire [4:0] bit_of_beats = tag_beat * {BEAT} + beat_bit, bit_of_words = tag_word * {WORD} + word_bit;
+    always @* assume (bit_of_beats == bit_of_words);
+    reg [3:0] in_at = 0, in_pixel = 0, out_at = 0, out_pixel = 0;
+    reg seen = 0, bit_in;
+"""
+
+
+def _ingest_stable() -> str:
+    ports = _INGEST_PORTS.format(beat=BEAT - 1, word=WORD - 1)
+    return OPENING + ports + stable_stream("out_valid", "out_ready", "word") + "endmodule\n"
+
+
+def _emit_stable() -> str:
+    ports = _EMIT_PORTS.format(beat=BEAT - 1, word=WORD - 1)
+    free = "(* anyseq *) wire any_pixel_last; assign pixel_last = any_pixel_last;\n"
+    return OPENING + ports + free + stable_stream("out_valid", "out_ready", "data") + "endmodule\n"
+
+
+def _ingest_order() -> str:
+    ports = _INGEST_PORTS.format(beat=BEAT - 1, word=WORD - 1)
+    return (
+        OPENING
+        + ports
+        + _LIMITS
+        + _TAG
+        + """
+    always @* assume (tag_word < words);
+    always @(posedge clk) if (!rst) begin
+        if (in_valid && in_ready) begin
+            in_at <= in_at + 1 == beats ? 0 : in_at + 1;
+            in_pixel <= in_pixel + (in_at + 1 == beats);
+            if (in_pixel == tag_pixel && in_at == tag_beat) begin seen <= 1; bit_in <= data[beat_bit]; end
+        end
+        if (out_valid && out_ready) begin
+            out_at <= out_at + 1 == words ? 0 : out_at + 1;
+            out_pixel <= out_pixel + (out_at + 1 == words);
+            if (out_pixel == tag_pixel && out_at == tag_word) begin
+                if (tag_beat < beats) begin
+                    assert (seen);
+                    assert (word[word_bit] == bit_in);
+                end else begin
+                    assert (in_pixel > tag_pixel);
+                    assert (!word[word_bit]);
+                end
+            end
+        end
+        // A pixel that is inside is on offer, so none can be lost; and at most one is.
+        assert (in_pixel == out_pixel || out_valid);
+        assert (in_pixel <= out_pixel + 1);
+    end
+endmodule
+"""
+    )
+
+
+def _emit_order() -> str:
+    ports = _EMIT_PORTS.format(beat=BEAT - 1, word=WORD - 1)
+    return (
+        OPENING
+        + ports
+        + _LIMITS
+        + _TAG
+        + """
+    always @* assume (tag_beat < beats);
+    assign pixel_last = in_at + 1 == words;
+    reg tag_last;
+    reg stalled_last = 0, was_last;
+    always @(posedge clk) if (!rst) begin
+        stalled_last <= out_valid && !out_ready; was_last <= tlast;
+        if (stalled_last) assert (tlast == was_last);
+        if (in_valid && in_ready) begin
+            in_at <= pixel_last ? 0 : in_at + 1;
+            in_pixel <= in_pixel + pixel_last;
+            if (in_pixel == tag_pixel && in_at == tag_word) begin seen <= 1; bit_in <= word[word_bit]; end
+            if (in_pixel == tag_pixel && pixel_last) tag_last <= last;
+        end
+        if (out_valid && out_ready) begin
+            out_at <= out_at + 1 == beats ? 0 : out_at + 1;
+            out_pixel <= out_pixel + (out_at + 1 == beats);
+            if (out_pixel == tag_pixel && out_at == tag_beat) begin
+                if (tag_word < words) begin
+                    assert (seen);
+                    assert (data[beat_bit] == bit_in);
+                end else begin
+                    assert (in_pixel > tag_pixel);
+                    assert (!data[beat_bit]);
+                end
+            end
+            // TLAST on the last beat of a pixel that is the image's last, and nowhere else.
+            if (out_at + 1 != beats) assert (!tlast);
+            else if (out_pixel == tag_pixel) assert (tlast == tag_last);
+        end
+        assert (in_pixel == out_pixel || out_valid);
+        assert (in_pixel <= out_pixel + 1);
+    end
+endmodule
+"""
+    )
+
+
+def _frame() -> str:
+    from macram_hw.shape import LayerShape  # noqa: PLC0415
+
+    shape = packed(LayerShape(), {"height": "height", "width": "width", "beats_in": "beats"})
+    bits = SMALL.stream_bits
+    return (
+        OPENING
+        + f"""
+    (* anyconst *) reg [1:0] rows; (* anyconst *) reg [1:0] columns; (* anyconst *) reg [1:0] pixel_beats;
+    wire [15:0] height = rows, width = columns, beats = pixel_beats;
+    always @* assume (height >= 1 && height <= 2 && width >= 1 && width <= 3 && beats >= 1 && beats <= 2);
+    (* anyseq *) wire start; (* anyseq *) wire valid; (* anyseq *) wire ready; (* anyseq *) wire last;
+    (* anyseq *) wire [{bits - 1}:0] data;
+    wire in_ready, out_valid, fault; wire [{bits - 1}:0] out; wire [2:0] error;
+    dut dut(.clk(clk), .rst(rst), .shape({shape}), .start(start), .i__payload({{last, data}}), .i__valid(valid),
+        .i__ready(in_ready), .o__payload(out), .o__valid(out_valid), .o__ready(ready), .fault(fault), .error(error));
+    reg [7:0] left = 0;  // beats of the image that are still to pass
+    always @(posedge clk) if (!rst) begin
+        if (start) left <= {{6'd0, rows}} * {{6'd0, columns}} * {{6'd0, pixel_beats}};
+        else if (valid && in_ready) left <= left - 1;
+        assert (out == data);
+        assert (out_valid == (valid && left != 0));
+        assert (in_ready == (ready && left != 0));
+        assert (fault == (valid && in_ready && last != (left == 1)));
+        if (fault) assert (error == (last ? 3 : 4));
+    end
+    always @* assume (!(start && left != 0));  // a START while busy is refused before it gets here
+endmodule
+"""
+    )
+
+
+def _loader() -> str:
+    from macram.spec import ceil_div  # noqa: PLC0415
+    from macram_hw.drain import RequantWrite  # noqa: PLC0415
+    from macram_hw.unit import WeightWrite  # noqa: PLC0415
+
+    bits = SMALL.stream_bits
+    weight, requant = WeightWrite(SMALL), RequantWrite(SMALL)
+    return (
+        OPENING
+        + f"""
+    localparam WEIGHT_BEATS = {ceil_div(SMALL.weight_word_bits, bits)};
+    localparam REQUANT_BEATS = {ceil_div(SMALL.requant_word_bits, bits)};
+    (* anyconst *) reg [31:0] words;
+    (* anyseq *) wire start_weights; (* anyseq *) wire start_requant; (* anyseq *) wire valid; (* anyseq *) wire last;
+    (* anyseq *) wire [{bits - 1}:0] data;
+    wire ready, busy, fault, requant_en; wire [2:0] error; wire [{SMALL.units - 1}:0] unit_en;
+    wire [{weight.size - 1}:0] weight; wire [{requant.size - 1}:0] requant;
+    dut dut(.clk(clk), .rst(rst), .words(words), .start_weights(start_weights), .start_requant(start_requant),
+        .i__payload({{last, data}}), .i__valid(valid), .i__ready(ready), .busy(busy), .fault(fault), .error(error),
+        .unit_en(unit_en), .weight(weight), .requant_en(requant_en), .requant(requant));
+    always @* assume (words >= 1 && words <= 4 && !(start_weights && start_requant));
+    always @* assume (!(busy && (start_weights || start_requant)));
+    reg loads_requant = 0; reg [7:0] beat = 0, word = 0, unit = 0; reg [127:0] now = 0;
+    reg expect_write = 0, expect_requant = 0; reg [7:0] expect_unit, expect_addr; reg [127:0] expect_data;
+    wire [7:0] beats = loads_requant ? REQUANT_BEATS : WEIGHT_BEATS;
+    wire taken = valid && ready, word_ends = beat + 1 == beats, unit_ends = word_ends && word + 1 == words;
+    wire load_ends = unit_ends && (loads_requant || unit == {SMALL.units - 1});
+    wire [127:0] whole = now | ({{96'd0, data}} << (beat * {bits}));
+    always @(posedge clk) if (!rst) begin
+        expect_write <= taken && word_ends && !loads_requant;
+        expect_requant <= taken && word_ends && loads_requant;
+        expect_unit <= unit; expect_addr <= word; expect_data <= whole;
+        if (start_weights || start_requant) begin
+            loads_requant <= start_requant; beat <= 0; word <= 0; unit <= 0; now <= 0;
+        end else if (taken) begin
+            beat <= word_ends ? 0 : beat + 1; now <= word_ends ? 0 : whole;
+            if (word_ends) word <= unit_ends ? 0 : word + 1;
+            if (unit_ends) unit <= unit + 1;
+        end
+        assert (ready == busy);
+        assert (fault == (taken && last != load_ends));
+        if (fault) assert (error == (last ? 3 : 4));
+        // Each word is written once, whole, to its unit and address, and nothing else is.
+        assert (unit_en == (expect_write ? 1 << expect_unit : 0));
+        assert (requant_en == expect_requant);
+        if (expect_write) assert (weight[{slice_of(weight, "addr")}] == expect_addr
+            && weight[{slice_of(weight, "data")}] == expect_data[{SMALL.weight_word_bits - 1}:0]);
+        if (expect_requant) assert (requant[{slice_of(requant, "addr")}] == expect_addr
+            && requant[{slice_of(requant, "data")}] == expect_data[{SMALL.requant_word_bits - 1}:0]);
+    end
+    reg ended = 0;
+    always @(posedge clk) begin
+        ended <= taken && (load_ends || fault) && !rst;
+        if (ended && !rst) assert (!busy);
+    end
+endmodule
+"""
+    )
+
+
+def _drain() -> str:
+    from macram_hw.gearbox import PixelWord  # noqa: PLC0415
+
+    word = PixelWord(SMALL.output_word_channels * SMALL.output.bits).size
+    return (
+        OPENING
+        + f"""
+    (* anyconst *) reg [1023:0] shape;
+    (* anyseq *) wire [1023:0] info; (* anyseq *) wire [1023:0] heads; (* anyseq *) wire finished;
+    (* anyseq *) wire ready; wire valid; wire [{word - 1}:0] word;
+    // START comes only when nothing is left of the image before.
+    dut dut(.clk(clk), .rst(rst), .start(1'b0), .shape(shape), .finished(finished), .info(info), .heads(heads),
+        .write_en(1'b0), .write(0), .o__valid(valid), .o__ready(ready), .o__payload(word));
+"""
+        + stable_stream("valid", "ready", "word")
+        + "endmodule\n"
+    )
+
+
+_GEARBOX = "gearbox.py"
+_INGEST_BREAKS = (
+    Break(_GEARBOX, "(level_after <= self._word)", "(level_after <= self._word + 2)"),
+    Break(
+        _GEARBOX,
+        "Mux(put, self.i.payload, Const(0, self._beat)) << level_after",
+        "self.i.payload << level_after",
+    ),
+    Break(
+        _GEARBOX,
+        "pixel_done.eq(taken & (words_out + 1 == self.words_per_pixel))",
+        "pixel_done.eq(taken & (words_out == self.words_per_pixel))",
+    ),
+)
+_EMIT_BREAKS = (
+    Break(_GEARBOX, "(level_after <= self._beat)", "(level_after <= self._beat + 4)"),
+    Break(
+        _GEARBOX,
+        "Mux(put, self.i.payload.data, Const(0, self._word)) << level_after",
+        "self.i.payload.data << level_after",
+    ),
+    Break(_GEARBOX, "self.o.payload.last.eq(last_beat & image_last)", "self.o.payload.last.eq(image_last)"),
+)
+
+STREAMS: tuple[Proof, ...] = (
+    Proof(
+        "ingest-stable",
+        "line-buffer words stay on offer, unchanged, until taken",
+        "ingest gearbox",
+        _ingest_stable,
+        2,
+        True,
+        ("gearbox", "array"),
+        (
+            Break(
+                _GEARBOX,
+                "(level >= self._word) | (beats_in == self.beats_per_pixel)",
+                "(level >= self._word) | (beats_in == self.i.payload)",
+            ),
+            Break(
+                _GEARBOX, "Mux(put, self.i.payload, Const(0, self._beat)) << level_after", "self.i.payload"
+            ),
+        ),
+    ),
+    Proof(
+        "ingest-order",
+        "every bit of every beat reaches its place in its word, once; nothing is lost or invented",
+        "ingest gearbox",
+        _ingest_order,
+        11,
+        False,
+        ("gearbox", "array"),
+        _INGEST_BREAKS,
+    ),
+    Proof(
+        "emit-stable",
+        "output beats stay on offer, unchanged, until taken",
+        "emit gearbox",
+        _emit_stable,
+        2,
+        True,
+        ("gearbox", "array", "top"),
+        (
+            Break(_GEARBOX, "(level >= self._beat) | complete", "(level >= self._beat) | self.i.valid"),
+            Break(
+                _GEARBOX,
+                "Mux(put, self.i.payload.data, Const(0, self._word)) << level_after",
+                "self.i.payload.data",
+            ),
+            Break(
+                _GEARBOX,
+                "(~complete | pixel_done) & (level_after <= self._beat)",
+                "(level_after <= self._beat)",
+            ),
+        ),
+    ),
+    Proof(
+        "emit-order",
+        "every bit of every word reaches its place in its beat, once; TLAST ends the image",
+        "emit gearbox",
+        _emit_order,
+        11,
+        False,
+        ("gearbox", "array", "top"),
+        _EMIT_BREAKS,
+    ),
+    Proof(
+        "frame",
+        "exactly one image passes; TLAST early or missing is named, and only then",
+        "frame check",
+        _frame,
+        15,
+        False,
+        ("array",),
+        (
+            Break("array.py", "self.o.valid.eq(self.i.valid & is_open)", "self.o.valid.eq(self.i.valid)"),
+            Break(
+                "array.py",
+                "row_last.eq(pixel_last & (column + 1 == self.shape.width))",
+                "row_last.eq(pixel_last & (column == self.shape.width))",
+            ),
+            Break(
+                "array.py",
+                "self.fault.eq(put & (self.i.payload.last != image_last))",
+                "self.fault.eq(put & ~self.i.payload.last & image_last)",
+            ),
+        ),
+    ),
+    Proof(
+        "loader",
+        "every word is written once, whole, to its memory and address; TLAST faults are named",
+        "loader",
+        _loader,
+        24,
+        False,
+        ("loader",),
+        (
+            Break(
+                "loader.py",
+                "unit_done.eq(word_done & (word_index + 1 == self.words))",
+                "unit_done.eq(word_done & (word_index == self.words))",
+            ),
+            Break(
+                "loader.py",
+                "self.requant_en.eq(word_done & to_requant)",
+                "self.requant_en.eq(put & to_requant)",
+            ),
+            Break(
+                "loader.py",
+                "beat_index.eq(0), word_index.eq(0), unit.eq(1),",
+                "word_index.eq(0), unit.eq(1),",
+            ),
+        ),
+    ),
+    Proof(
+        "drain-stable",
+        "the drain's words stay on offer, unchanged, until taken",
+        "drain",
+        _drain,
+        2,
+        True,
+        ("drain",),
+        (
+            Break("drain.py", "get.en.eq(advance)", "get.en.eq(1)"),
+            Break("drain.py", "advance.eq(~valid | self.o.ready)", "advance.eq(1)"),
+        ),
+    ),
+)

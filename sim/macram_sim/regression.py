@@ -1,0 +1,171 @@
+"""The constrained-random regression: many cases in one simulation per array, scored against the list of bins."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import tempfile
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from macram.spec import ArrayConfig, IntFormat
+from macram_sim.array import build_array
+from macram_sim.build import build_root
+from macram_sim.coverage import Observation, Score, score
+from macram_sim.runner import run
+
+CASES = 60
+"""Default number of cases per array."""
+_SMALL = ArrayConfig(
+    name="portable",
+    units=8,
+    rows=2,
+    max_c_in=16,
+    max_c_out=32,
+    weight_depth=64,
+    row_words=32,
+    stream_bits=32,
+    drain=2,
+)
+ARRAYS = (
+    _SMALL,
+    replace(_SMALL, name="dsp48e2", engine="dsp48e2"),
+    replace(
+        _SMALL, name="8-bit", weight=IntFormat(8, signed=True), input=IntFormat(8), output=IntFormat(8), stream_bits=64
+    ),
+    replace(
+        _SMALL, name="signed", weight=IntFormat(4, signed=True), input=IntFormat(3, signed=True),
+        output=IntFormat(4, signed=True), rows=4, drain=1, ingest=1,
+    ),
+)  # fmt: skip
+"""Small arrays that differ in what has its own logic: engines, requantisers, signs, banks, drain."""
+
+
+@dataclass(frozen=True)
+class Regression:
+    """A regression in which every case passed.
+
+    Attributes:
+        arrays: configurations that were simulated.
+        seen: what each case met.
+        coverage: the score.
+        seconds: wall time of the simulations, builds left out.
+    """
+
+    arrays: tuple[ArrayConfig, ...]
+    seed: int
+    seen: tuple[Observation, ...]
+    coverage: Score
+    seconds: float
+
+    @property
+    def cycles(self) -> int:
+        """Array cycles of the images that ran from start to end."""
+        return sum(counters["cycles"] for seen in self.seen for counters in seen.counters)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values for JSON."""
+        return {
+            "format": 1,
+            "seed": self.seed,
+            "arrays": [array.to_dict() for array in self.arrays],
+            "cases": len(self.seen),
+            "images": sum(len(seen.counters) for seen in self.seen),
+            "cycles": self.cycles,
+            "seconds": round(self.seconds, 2),
+            "bins": len(self.coverage.hits),
+            "bins_met": len(self.coverage.hits) - len(self.coverage.missed),
+            "missed": self.coverage.missed,
+            "not_admitted": self.coverage.impossible,
+            "hits": self.coverage.hits,
+        }
+
+
+def regress(
+    arrays: Sequence[ArrayConfig],
+    *,
+    seed: int,
+    cases: int = CASES,
+    only: int | None = None,
+    progress: Callable[[int], None] | None = None,
+) -> Regression:
+    """Run the planned cases on every array.
+
+    Args:
+        arrays: configurations, each simulated in one process.
+        seed: of everything random, 0 or more.
+        cases: cases per array.
+        only: run this case alone instead.
+        progress: called with the number of cases finished so far, over all arrays.
+
+    Raises:
+        ValueError: an argument is out of range.
+        SimulationError: a case failed; the message names it and the line that replays it.
+        ToolError: a tool is missing.
+    """
+    if cases < 1:
+        raise ValueError(f"cases must be at least 1, not {cases}")
+    if only is not None and only < 0:
+        raise ValueError(f"the case to run must be 0 or more, not {only}")
+    indices = list(range(cases)) if only is None else [only]
+    seen: list[Observation] = []
+    seconds = 0.0
+    for array in arrays:
+        model = build_array(array)
+        (build_root() / "jobs").mkdir(parents=True, exist_ok=True)
+        folder = Path(tempfile.mkdtemp(prefix=f"regression-{array.name}-", dir=build_root() / "jobs"))
+        job = {"array": array.to_dict(), "seed": seed, "indices": indices}
+        (folder / "job.json").write_text(json.dumps(job))
+        lines = folder / "seen.jsonl"
+        with _Following(lines, len(seen), progress):
+            done = run(
+                model,
+                "macram_sim.bench_regression",
+                folder / "run",
+                seed=seed,
+                env={"MACRAM_JOB": str(folder)},
+                rerun=_replay(seed, cases, only),
+            )
+        seconds += done.seconds
+        seen += [Observation.from_dict(array, json.loads(line)) for line in lines.read_text().splitlines()]
+        shutil.rmtree(folder, ignore_errors=True)
+    return Regression(tuple(arrays), seed, tuple(seen), score(arrays, seen), seconds)
+
+
+def _replay(seed: int, cases: int, only: int | None) -> str:
+    line = f"macram verify regression --seed {seed}"
+    return (
+        f"{line} --only {only}"
+        if only is not None
+        else f"{line} --cases {cases} (or --only with the case's number)"
+    )
+
+
+class _Following:
+    """Reports the growth of a file of lines while the simulator writes it."""
+
+    def __init__(self, path: Path, before: int, report: Callable[[int], None] | None) -> None:
+        self._path, self._before, self._report = path, before, report
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._follow, daemon=True)
+
+    def __enter__(self) -> None:
+        if self._report is not None:
+            self._thread.start()
+
+    def __exit__(self, *_: object) -> None:
+        self._ended.set()
+        if self._report is not None:
+            self._thread.join()
+
+    def _follow(self) -> None:
+        assert self._report is not None
+        while not self._ended.wait(0.5):
+            if self._path.is_file():
+                self._report(self._before + self._path.read_text().count("\n"))
+
+
+__all__ = ["ARRAYS", "CASES", "Regression", "regress"]

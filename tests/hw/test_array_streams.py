@@ -1,0 +1,178 @@
+"""The whole array in Amaranth's simulator: loads, images, faults and a reset, with gaps and stalls."""
+
+import os
+import random
+
+import numpy as np
+import pytest
+from amaranth.hdl import ResetInserter, Signal
+from stream_testing import get, put, simulate
+
+from macram.golden import random_case, run_layer
+from macram.pack import pack_layer
+from macram.perf import estimate
+from macram.spec import ArrayConfig, Control, ConvSpec, Error, IntFormat, StreamLayout
+from macram.spec.registers import MODE_3X3
+from macram_hw.array import COUNTERS, Array
+
+SEED = int(os.environ.get("SEED") or 2022)
+SMALL = {
+    "units": 4,
+    "rows": 2,
+    "drain": 1,
+    "max_c_in": 6,
+    "max_c_out": 8,
+    "weight_depth": 18,
+    "row_words": 8,
+    "stream_bits": 32,
+}
+ARRAYS = {
+    "portable": ArrayConfig(**SMALL),
+    "dsp48e2": ArrayConfig(**SMALL, engine="dsp48e2"),
+    "8-bit": ArrayConfig(
+        **SMALL, weight=IntFormat(5, signed=True), input=IntFormat(4, signed=True), output=IntFormat(5)
+    ),
+}
+
+
+class Bench:
+    """An array with its streams, commanded without registers."""
+
+    def __init__(self, array, layer, gap, stall):
+        self.array, self.layer, self.gap, self.stall = array, layer, gap, stall
+        self.rng = random.Random(SEED)
+        self.reset = Signal()
+        self.core = Array(array)
+        self.dut = ResetInserter(self.reset)(self.core)
+        spec = layer.spec
+        self.packed = pack_layer(layer, array)
+        self.beats_in = values(StreamLayout(spec.c_in, array.input, array.stream_bits).pack(layer.input))
+        self.output = StreamLayout(spec.c_out, array.output, array.stream_bits)
+        self.beats_out = spec.out_height * spec.out_width * self.output.beats_per_pixel
+
+    async def command(self, ctx, command, **registers):
+        spec = self.layer.spec
+        shape = {"height": spec.height, "width": spec.width, "c_in": spec.c_in, "c_out": spec.c_out}
+        for name, value in {**shape, "mode": MODE_3X3, **registers}.items():
+            ctx.set(getattr(self.core, name), value)
+        ctx.set(self.core.command, command)
+        await ctx.tick()
+        ctx.set(self.core.command, 0)
+        await ctx.tick().repeat(4)
+
+    async def load(self, ctx):
+        weights, requant = self.packed.load_beats()
+        for command, words, beats in (
+            (Control.LOAD_WEIGHTS, self.packed.weight_words, weights),
+            (Control.LOAD_REQUANT, self.packed.requant_words, requant),
+        ):
+            await self.command(ctx, command, words=words)
+            assert ctx.get(self.core.busy)
+            await put(ctx, self.core.params, with_last(values(beats)), gap=self.gap, rng=self.rng)
+            await ctx.tick().repeat(2)
+            assert not ctx.get(self.core.busy)
+            assert ctx.get(self.core.error) == Error.NONE
+
+    async def take(self, ctx):
+        beats = await get(ctx, self.core.o, self.beats_out, stall=self.stall, rng=self.rng)
+        assert [bool(beat.last) for beat in beats] == [False] * (self.beats_out - 1) + [True]
+        raw = np.array([list(beat.data.to_bytes(4, "little")) for beat in beats], np.uint8)
+        spec = self.layer.spec
+        np.testing.assert_array_equal(
+            self.output.unpack(raw, spec.out_height, spec.out_width), run_layer(self.layer)
+        )
+        await ctx.tick()
+        assert (ctx.get(self.core.busy), ctx.get(self.core.done)) == (0, 1)
+        assert not ctx.get(self.core.i.ready)
+        counters = {name: ctx.get(getattr(self.core, name)) for name in COUNTERS}
+        assert counters["cycles"] == sum(counters.values()) - counters["cycles"]
+        closed = estimate(spec, self.array)
+        assert counters["mac_cycles"] == closed.mac
+        if not self.gap and not self.stall and closed.exact:
+            assert counters["fill_cycles"] == closed.fill
+            assert counters["drain_cycles"] == closed.drain
+            assert counters["cycles"] == closed.total
+
+
+def values(beats):
+    return [int.from_bytes(row.tobytes(), "little") for row in beats]
+
+
+def with_last(beats):
+    return [{"data": beat, "last": index == len(beats) - 1} for index, beat in enumerate(beats)]
+
+
+@pytest.mark.parametrize(
+    ("name", "shape", "gap", "stall"),
+    [
+        ("portable", (5, 7, 3, 5), 0.0, 0.0),
+        ("portable", (2, 8, 2, 8), 0.0, 0.6),
+        ("dsp48e2", (3, 5, 5, 4), 0.5, 0.3),
+        ("8-bit", (4, 8, 3, 6), 0.3, 0.3),
+    ],
+)
+def test_two_images_after_a_load(name, shape, gap, stall):
+    array = ARRAYS[name]
+    form = {key: getattr(array, key) for key in ("weight", "input", "output")}
+    bench = Bench(array, random_case(ConvSpec(*shape, **form), SEED, "uniform"), gap, stall)
+    images = 2
+
+    async def source(ctx):
+        await bench.load(ctx)
+        for _ in range(images):
+            while ctx.get(bench.core.busy):
+                await ctx.tick()
+            await ctx.tick().repeat(3)
+            await bench.command(ctx, Control.START)
+            await put(ctx, bench.core.i, with_last(bench.beats_in), gap=gap, rng=bench.rng)
+
+    async def sink(ctx):
+        for _ in range(images):
+            await bench.take(ctx)
+
+    simulate(bench.dut, source, sink)
+
+
+def test_faults_and_a_reset():
+    array = ARRAYS["portable"]
+    bench = Bench(array, random_case(ConvSpec(3, 5, 3, 4), SEED), 0.0, 0.0)
+    core = bench.core
+
+    async def source(ctx):
+        await bench.load(ctx)
+        for registers, command, code in (
+            ({"width": 0}, Control.START, Error.BAD_SHAPE),
+            ({"mode": MODE_3X3 + 1}, Control.START, Error.BAD_MODE),
+            ({"words": 0}, Control.LOAD_WEIGHTS, Error.BAD_COMMAND),
+            ({"words": array.weight_depth + 1}, Control.LOAD_WEIGHTS, Error.BAD_COMMAND),
+            ({"words": array.requant_depth + 1}, Control.LOAD_REQUANT, Error.BAD_COMMAND),
+            ({"words": 1}, Control.LOAD_REQUANT | Control.START, Error.BAD_COMMAND),
+        ):
+            await bench.command(ctx, command, **registers)
+            assert (ctx.get(core.busy), ctx.get(core.done), ctx.get(core.error)) == (0, 0, code)
+        for beats, code in (
+            (with_last(bench.beats_in[:3]), Error.TLAST_EARLY),
+            ([{"data": beat, "last": 0} for beat in bench.beats_in], Error.TLAST_MISSING),
+        ):
+            await bench.command(ctx, Control.START)
+            await put(ctx, core.i, beats)
+            await ctx.tick().repeat(2)
+            assert ctx.get(core.error) == code
+            assert ctx.get(core.busy)
+            ctx.set(bench.reset, 1)
+            await ctx.tick()
+            ctx.set(bench.reset, 0)
+            await ctx.tick()
+            assert (ctx.get(core.busy), ctx.get(core.error)) == (0, Error.NONE)
+        await bench.command(ctx, Control.START)
+        ctx.set(reached, 1)
+        await put(ctx, core.i, with_last(bench.beats_in))
+
+    reached = Signal()
+
+    async def sink(ctx):
+        while not ctx.get(reached):
+            await ctx.tick()
+        await bench.take(ctx)
+
+    simulate(bench.dut, source, sink)

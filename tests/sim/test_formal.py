@@ -1,0 +1,43 @@
+"""The proofs that take seconds, on the gateware and on gateware that is broken on purpose."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from macram_sim.formal import PROOFS, Break, prove
+
+FAST = [proof for proof in PROOFS if proof.fast]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("proof", FAST, ids=lambda proof: proof.name)
+def test_the_property_holds(proof, tmp_path):
+    verdict = prove(proof, tmp_path, mutants=False)
+    assert verdict.passed, verdict.fault
+
+
+@pytest.mark.slow
+def test_a_broken_module_is_noticed_and_a_sound_one_is_not(tmp_path):
+    proof = next(proof for proof in PROOFS if proof.name == "bus-answers")
+    harmless = Break("axi_lite.py", "OKAY, SLVERR = 0, 2", "OKAY, SLVERR = 0, 1 + 1")
+    verdict = prove(replace(proof, breaks=(proof.breaks[0], harmless)), tmp_path)
+    assert list(verdict.noticed.values()) == [True, False]
+    assert "not noticed (PASS)" in verdict.fault
+    assert (tmp_path / "bus-answers" / "broken0" / "engine_0" / "trace.vcd").is_file()
+
+
+def test_proofs_have_names_claims_and_broken_modules():
+    assert len({proof.name for proof in PROOFS}) == len(PROOFS)
+    for proof in PROOFS:
+        assert proof.claim
+        assert proof.breaks, proof.name
+        assert ("all times" in proof.method) == proof.unbounded
+
+
+def test_a_break_that_no_longer_applies_is_an_error(tmp_path):
+    (tmp_path / "macram_hw").mkdir()
+    (tmp_path / "macram_hw" / "part.py").write_text("a = 1\na = 1\n")
+    with pytest.raises(ValueError, match=r"part\.py holds 'a = 1' 2 times; bring"):
+        Break("part.py", "a = 1", "a = 2").apply(tmp_path)
