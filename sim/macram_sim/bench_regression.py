@@ -13,14 +13,13 @@ from pathlib import Path
 from typing import Any
 
 import cocotb
-from cocotb.clock import Clock
 from cocotb.triggers import SimTimeoutError, with_timeout
 
 from macram.spec import ArrayConfig
+from macram_sim.clocks import PERIOD_NS, start_clocks
 from macram_sim.regression_case import CaseBench
 from macram_sim.regression_plan import Case, plan
 from macram_sim.regression_scenarios import perform
-from macram_sim.transport import PERIOD_NS
 
 CASE_CYCLES = 400_000
 """No case is near this long; one that gets here hangs."""
@@ -37,7 +36,7 @@ async def regression(dut: Any) -> None:
     job = json.loads((folder / "job.json").read_text())
     array = ArrayConfig.from_dict(job["array"])
     wanted = set(job["indices"])
-    Clock(dut.aclk, PERIOD_NS, unit="ns").start()
+    start_clocks(dut)
     first = True
     with (folder / "seen.jsonl").open("w") as seen:
         for case in plan(array, job["seed"]):

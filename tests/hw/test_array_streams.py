@@ -67,10 +67,10 @@ class Bench:
             (Control.LOAD_REQUANT, self.packed.requant_words, requant),
         ):
             await self.command(ctx, command, words=words)
-            assert ctx.get(self.core.busy)
+            assert ctx.get(self.core.loading)
             await put(ctx, self.core.params, with_last(values(beats)), gap=self.gap, rng=self.rng)
             await ctx.tick().repeat(2)
-            assert not ctx.get(self.core.busy)
+            assert not ctx.get(self.core.loading)
             assert ctx.get(self.core.error) == Error.NONE
 
     async def take(self, ctx):
@@ -143,9 +143,9 @@ def test_faults_and_a_reset():
         for registers, command, code in (
             ({"width": 0}, Control.START, Error.BAD_SHAPE),
             ({"mode": MODE_3X3 + 1}, Control.START, Error.BAD_MODE),
-            ({"words": 0}, Control.LOAD_WEIGHTS, Error.BAD_COMMAND),
-            ({"words": array.weight_depth + 1}, Control.LOAD_WEIGHTS, Error.BAD_COMMAND),
-            ({"words": array.requant_depth + 1}, Control.LOAD_REQUANT, Error.BAD_COMMAND),
+            ({"words": 0}, Control.LOAD_WEIGHTS, Error.BAD_RANGE),
+            ({"words": array.weight_depth + 1}, Control.LOAD_WEIGHTS, Error.BAD_RANGE),
+            ({"words": array.requant_depth + 1}, Control.LOAD_REQUANT, Error.BAD_RANGE),
             ({"words": 1}, Control.LOAD_REQUANT | Control.START, Error.BAD_COMMAND),
         ):
             await bench.command(ctx, command, **registers)

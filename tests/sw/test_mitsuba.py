@@ -52,11 +52,11 @@ def test_rectangles_lie_where_our_camera_sees_the_patches(scene):
     plan, _, parts = scene
     square = np.array([[-1, -1, 0, 1], [1, -1, 0, 1], [1, 1, 0, 1], [-1, 1, 0, 1.0]])
     found = np.stack([(square @ part["to_world"].T)[:, :3] for part in rectangles(parts)])
-    camera = np.eye(3), np.zeros(3)
+    camera = VIEW.matrix, np.eye(3), np.zeros((3, 1))
     wanted = project(
         VIEW.matrix, plan.rotations[2], plan.translations[2][:, None], cubesat().corners.reshape(-1, 3)
     )
-    assert np.allclose(project(found.reshape(-1, 3), VIEW.matrix, *camera), wanted, atol=1e-6)
+    assert np.allclose(project(*camera, found.reshape(-1, 3)), wanted, atol=1e-6)
     for part in rectangles(parts):
         assert np.linalg.det(part["to_world"][:3, :3]) > 0  # normals outwards
         assert part["bsdf"]["id"] in {p.get("id") for p in parts.values() if isinstance(p, dict)}
