@@ -186,7 +186,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .\o__ready$8 (m_axis_tready),
     .\o__valid$7 (m_axis_tvalid),
     .output_stalls(output_stalls),
-    .\port$1176$0 (command),
+    .\port$1212$0 (command),
     .requant_base(requant_base),
     .rst(rst),
     .weight_base(weight_base),
@@ -227,8 +227,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .output_stalls(output_stalls),
     .param_base(param_base),
     .param_words(words),
-    .\port$1222$0 (done),
-    .\port$1228$0 (error),
+    .\port$1266$0 (done),
+    .\port$1272$0 (error),
     .\port$2$0 (\$1 ),
     .requant_base(requant_base),
     .rst(rst),
@@ -303,7 +303,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy, \i__ready$55 , \o__valid$7 , \i__payload$53 , \i__payload$74 , \port$1176$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$638 
+module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy, \i__ready$55 , \o__valid$7 , \i__payload$53 , \i__payload$74 , \port$1212$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$638 
 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$9 , loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
@@ -1825,8 +1825,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire \params__payload.last ;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1176$0 ;
-  wire [3:0] \port$1176$0 ;
+  input [3:0] \port$1212$0 ;
+  wire [3:0] \port$1212$0 ;
   wire [14:0] read;
   wire [7:0] \read.address ;
   wire \read.bank ;
@@ -2334,8 +2334,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \$25  = first_beat | \$signal$631 ;
   assign \$26  = ~ ended;
   assign \$signal$630  = \$25  & \$26 ;
-  assign \$27  = \port$1176$0 [2:0] - 1'h1;
-  assign \$28  = { 1'h0, \port$1176$0 [2:0] } & \$27 ;
+  assign \$27  = \port$1212$0 [2:0] - 1'h1;
+  assign \$28  = { 1'h0, \port$1212$0 [2:0] } & \$27 ;
   assign \$29  = | \$28 ;
   assign \$30  = | \wait ;
   assign \$31  = \wait  - 1'h1;
@@ -2408,7 +2408,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign last_beat = \$2  & \$4 ;
   assign \$5  = | \wait ;
   assign busy = running | \$5 ;
-  assign \$signal  = loading ? to_requant : \port$1176$0 [2];
+  assign \$signal  = loading ? to_requant : \port$1212$0 [2];
   assign load_end = base + words;
   assign \$6  = \$signal  ? 11'h100 : 11'h400;
   assign \$signal$39  = load_end > \$6 ;
@@ -2417,12 +2417,12 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \$9  = \$signal  ? requant_base : weight_base;
   assign \$10  = load_end > \$9 ;
   assign overlaps = \$8  & \$10 ;
-  assign \$signal$43  = | \port$1176$0 [2:0];
+  assign \$signal$43  = | \port$1212$0 [2:0];
   assign \$11  = ~ busy;
   assign \$12  = ~ loading;
   assign idle = \$11  & \$12 ;
-  assign \$13  = \port$1176$0 [2:0] - 1'h1;
-  assign \$14  = { 1'h0, \port$1176$0 [2:0] } & \$13 ;
+  assign \$13  = \port$1212$0 [2:0] - 1'h1;
+  assign \$14  = { 1'h0, \port$1212$0 [2:0] } & \$13 ;
   assign \$15  = | \$14 ;
   assign \$16  = ! words;
   assign \$17  = \$16  | \$signal$39 ;
@@ -2440,7 +2440,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .requant_end(requant_end),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1176$0 [3]),
+    .soft_reset(\port$1212$0 [3]),
     .weight_base(weight_base),
     .weight_end(weight_end),
     .width(width)
@@ -2460,7 +2460,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1176$0 [3]),
+    .soft_reset(\port$1212$0 [3]),
     .start(start),
     .valid(i__valid)
   );
@@ -2474,7 +2474,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .o__ready(\o__ready$8 ),
     .o__valid(\o__valid$7 ),
     .rst(rst),
-    .soft_reset(\port$1176$0 [3])
+    .soft_reset(\port$1212$0 [3])
   );
   \macram_top.array.frame  frame (
     .beats(shape[147:132]),
@@ -2487,9 +2487,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .o__ready(\o__ready$61 ),
     .o__valid(\i__valid$63 ),
     .open(open),
-    .\port$1263$0 (shape[31:0]),
+    .\port$1307$0 (shape[31:0]),
     .rst(rst),
-    .soft_reset(\port$1176$0 [3]),
+    .soft_reset(\port$1212$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
@@ -2501,9 +2501,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .o__payload(\i__payload$65 ),
     .o__ready(\o__ready$67 ),
     .o__valid(\i__valid$69 ),
-    .\port$1263$79 (shape[92:79]),
+    .\port$1307$79 (shape[92:79]),
     .rst(rst),
-    .soft_reset(\port$1176$0 [3])
+    .soft_reset(\port$1212$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
@@ -2517,7 +2517,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1176$0 [3]),
+    .soft_reset(\port$1212$0 [3]),
     .start(start),
     .word(activations)
   );
@@ -2529,12 +2529,12 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .i__payload(\i__payload$74 ),
     .i__ready(loading),
     .i__valid(\i__valid$78 ),
-    .\port$1515$0 (\$68 ),
-    .\port$1517$0 (\$69 ),
-    .\port$1519$0 (\$70 ),
+    .\port$1559$0 (\$68 ),
+    .\port$1561$0 (\$69 ),
+    .\port$1563$0 (\$70 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1176$0 [3]),
+    .soft_reset(\port$1212$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
     .to_requant(to_requant),
@@ -2553,7 +2553,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1176$0 [3]),
+    .soft_reset(\port$1212$0 [3]),
     .start(start),
     .starved(starved),
     .\step$45 (step),
@@ -3392,7 +3392,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     \$signal$45  = 3'h0;
     if (\$15 ) begin
       \$signal$45  = 3'h5;
-    end else if (\port$1176$0 [0]) begin
+    end else if (\port$1212$0 [0]) begin
       if (busy) begin
         \$signal$45  = 3'h5;
       end
@@ -3408,13 +3408,13 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_weights = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1176$0 [0]) begin
+    end else if (\port$1212$0 [0]) begin
     end else if (\$signal$43 ) begin
       (* full_case = 32'd1 *)
       if (loading) begin
       end else if (\$19 ) begin
       end else begin
-        start_weights = \port$1176$0 [1];
+        start_weights = \port$1212$0 [1];
       end
     end
   end
@@ -3422,13 +3422,13 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_requant = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1176$0 [0]) begin
+    end else if (\port$1212$0 [0]) begin
     end else if (\$signal$43 ) begin
       (* full_case = 32'd1 *)
       if (loading) begin
       end else if (\$19 ) begin
       end else begin
-        start_requant = \port$1176$0 [2];
+        start_requant = \port$1212$0 [2];
       end
     end
   end
@@ -3459,7 +3459,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     end else if (last_beat0) begin
       \$49  = 1'h1;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$49  = 1'h0;
     end
     if (rst) begin
@@ -3470,7 +3470,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$50  = \wait ;
     if (\$29 ) begin
-    end else if (\port$1176$0 [0]) begin
+    end else if (\port$1212$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
@@ -3480,7 +3480,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$30 ) begin
       \$50  = \$31 [1:0];
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$50  = 2'h0;
     end
     if (rst) begin
@@ -3491,7 +3491,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$51  = done;
     if (\$29 ) begin
-    end else if (\port$1176$0 [0]) begin
+    end else if (\port$1212$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
@@ -3504,7 +3504,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$36 ) begin
       \$51  = 1'h0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$51  = 1'h0;
     end
     if (rst) begin
@@ -3520,7 +3520,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$35 ) begin
       \$52  = 1'h0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$52  = 1'h0;
     end
     if (rst) begin
@@ -3536,7 +3536,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$35 ) begin
       \$53  = 1'h0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$53  = 1'h0;
     end
     if (rst) begin
@@ -3559,7 +3559,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
         \$54  = \error$642 ;
       end
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$54  = 3'h0;
     end
     if (rst) begin
@@ -3569,7 +3569,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$55  = step[32:25];
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$55  = 8'h00;
     end
     if (rst) begin
@@ -3579,7 +3579,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$56  = control0;
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$56  = 8'h00;
     end
     if (rst) begin
@@ -3589,7 +3589,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$57  = control1;
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$57  = 8'h00;
     end
     if (rst) begin
@@ -3599,7 +3599,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$58  = control;
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$58  = 8'h00;
     end
     if (rst) begin
@@ -3615,7 +3615,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$59  = 1'h0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$59  = 1'h0;
     end
     if (rst) begin
@@ -3631,7 +3631,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$60  = 1'h0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$60  = 1'h0;
     end
     if (rst) begin
@@ -3647,7 +3647,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$61  = 1'h0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$61  = 1'h0;
     end
     if (rst) begin
@@ -3663,7 +3663,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$62  = 32'd0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$62  = 32'd0;
     end
     if (rst) begin
@@ -3681,7 +3681,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$63  = 32'd0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$63  = 32'd0;
     end
     if (rst) begin
@@ -3700,7 +3700,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$64  = 32'd0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$64  = 32'd0;
     end
     if (rst) begin
@@ -3720,7 +3720,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$65  = 32'd0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$65  = 32'd0;
     end
     if (rst) begin
@@ -3741,7 +3741,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$66  = 32'd0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$66  = 32'd0;
     end
     if (rst) begin
@@ -3764,7 +3764,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$67  = 32'd0;
     end
-    if (\port$1176$0 [3]) begin
+    if (\port$1212$0 [3]) begin
       \$67  = 32'd0;
     end
     if (rst) begin
@@ -3784,7 +3784,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \words$27  = words;
   assign param_base = base;
   assign \busy$34  = loading;
-  assign command = \port$1176$0 [2:0];
+  assign command = \port$1212$0 [2:0];
   assign \shape$52  = shape;
   assign \i__payload$54  = \i__payload$53 ;
   assign \i__ready$56  = \i__ready$55 ;
@@ -4273,7 +4273,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \activations$626  = activations;
   assign \control$627  = control;
   assign \shift$628  = shift;
-  assign soft_reset = \port$1176$0 [3];
+  assign soft_reset = \port$1212$0 [3];
   assign \i__payload.data  = i__payload[47:0];
   assign \i__payload.pixel_last  = i__payload[48];
   assign \i__payload.last  = i__payload[49];
@@ -7889,7 +7889,7 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   assign \$15  = { 64'h0000000000000000, buffer[111:64] };
 endmodule
 
-module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1263$0 , beats, open, clk);
+module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1307$0 , beats, open, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$6  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -7944,8 +7944,8 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   wire o__valid;
   output open;
   reg open = 1'h0;
-  input [31:0] \port$1263$0 ;
-  wire [31:0] \port$1263$0 ;
+  input [31:0] \port$1307$0 ;
+  wire [31:0] \port$1307$0 ;
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
@@ -7960,10 +7960,10 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   assign \$1  = \$signal$9  + 1'h1;
   assign \$signal$8  = \$1  == beats;
   assign \$2  = \$signal$12  + 1'h1;
-  assign \$3  = \$2  == \port$1263$0 [31:16];
+  assign \$3  = \$2  == \port$1307$0 [31:16];
   assign \$signal$11  = \$signal$8  & \$3 ;
   assign \$4  = row + 1'h1;
-  assign \$5  = \$4  == \port$1263$0 [15:0];
+  assign \$5  = \$4  == \port$1307$0 [15:0];
   assign \$signal$14  = \$signal$11  & \$5 ;
   assign \$6  = i__payload[64] != \$signal$14 ;
   assign fault = \$signal  & \$6 ;
@@ -8052,13 +8052,13 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
     end
   end
   assign o__payload = i__payload[63:0];
-  assign width = \port$1263$0 [31:16];
-  assign height = \port$1263$0 [15:0];
+  assign width = \port$1307$0 [31:16];
+  assign height = \port$1307$0 [15:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1263$79 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1307$79 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -8109,8 +8109,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1263$79 ;
-  wire [13:0] \port$1263$79 ;
+  input [13:0] \port$1307$79 ;
+  wire [13:0] \port$1307$79 ;
   wire put;
   input rst;
   wire rst;
@@ -8123,7 +8123,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   assign o__valid = \$1  | \$2 ;
   assign \$signal$6  = o__valid & o__ready;
   assign \$3  = words_out + 1'h1;
-  assign \$4  = \$3  == \port$1263$79 ;
+  assign \$4  = \$3  == \port$1307$79 ;
   assign \$signal$8  = \$signal$6  & \$4 ;
   assign beats_after = \$signal$8  ? 16'h0000 : \$signal ;
   assign \$5  = level >= 6'h30;
@@ -8196,7 +8196,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
       \$26  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1263$79  };
+  assign words_per_pixel = { 2'h0, \port$1307$79  };
   assign \$like  = \$9 [6:0];
   assign o__payload = buffer[47:0];
   assign \$12  = { 48'h000000000000, buffer[111:48] };
@@ -8618,7 +8618,7 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   assign \read.mask  = read[14:11];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1515$0 , \port$1517$0 , \port$1519$0 , i__ready, to_requant, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1559$0 , \port$1561$0 , \port$1563$0 , i__ready, to_requant, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
@@ -8689,13 +8689,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 10'h000 *)
-  output [9:0] \port$1515$0 ;
-  wire [9:0] \port$1515$0 ;
+  output [9:0] \port$1559$0 ;
+  wire [9:0] \port$1559$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1517$0 ;
-  wire [7:0] \port$1517$0 ;
-  output [671:0] \port$1519$0 ;
-  wire [671:0] \port$1519$0 ;
+  output [7:0] \port$1561$0 ;
+  wire [7:0] \port$1561$0 ;
+  output [671:0] \port$1563$0 ;
+  wire [671:0] \port$1563$0 ;
   wire [679:0] requant;
   wire [7:0] \requant.addr ;
   wire [671:0] \requant.data ;
@@ -8896,9 +8896,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[647:576], \$27  };
   assign requant = { shifter[671:0], \$29  };
-  assign \port$1515$0  = \$27 ;
-  assign \port$1517$0  = \$29 ;
-  assign \port$1519$0  = shifter[671:0];
+  assign \port$1559$0  = \$27 ;
+  assign \port$1561$0  = \$29 ;
+  assign \port$1563$0  = shifter[671:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$27 ;
@@ -17654,39 +17654,47 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1222$0 , \port$1228$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
+, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1266$0 , \port$1272$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
   wire \$11 ;
   wire \$12 ;
-  wire [3:0] \$13 ;
+  wire \$13 ;
   wire \$14 ;
-  reg [4:0] \$15 ;
-  reg \$16 ;
-  reg [31:0] \$17 ;
-  reg [3:0] \$18 ;
-  reg \$19 ;
+  wire \$15 ;
+  wire \$16 ;
+  wire [3:0] \$17 ;
+  wire \$18 ;
+  reg [4:0] \$19 ;
   wire \$2 ;
-  reg [3:0] \$20 ;
-  reg \$21 ;
-  reg [1:0] \$22 ;
-  reg [31:0] \$23 ;
-  reg [31:0] \$24 ;
-  reg [31:0] \$25 ;
-  reg [31:0] \$26 ;
+  reg \$20 ;
+  reg [31:0] \$21 ;
+  reg [3:0] \$22 ;
+  reg \$23 ;
+  reg [3:0] \$24 ;
+  reg \$25 ;
+  reg [1:0] \$26 ;
   reg [31:0] \$27 ;
   reg [31:0] \$28 ;
   reg [31:0] \$29 ;
   wire \$3 ;
   reg [31:0] \$30 ;
   reg [31:0] \$31 ;
-  reg [4:0] \$32 ;
-  reg \$33 ;
-  reg \$34 ;
+  reg [31:0] \$32 ;
+  reg [31:0] \$33 ;
+  reg [31:0] \$34 ;
   reg [31:0] \$35 ;
-  reg [1:0] \$36 ;
+  reg [31:0] \$36 ;
+  reg [31:0] \$37 ;
+  reg [31:0] \$38 ;
+  reg [31:0] \$39 ;
   wire \$4 ;
+  reg [4:0] \$40 ;
+  reg \$41 ;
+  reg \$42 ;
+  reg [31:0] \$43 ;
+  reg [1:0] \$44 ;
   wire \$5 ;
   wire \$6 ;
   wire \$7 ;
@@ -17695,7 +17703,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   reg [4:0] \$signal  = 5'h00;
   reg [31:0] \$signal$12  = 32'd0;
   reg [3:0] \$signal$14  = 4'h0;
-  reg [4:0] \$signal$32  = 5'h00;
+  reg [4:0] \$signal$36  = 5'h00;
   reg address_held = 1'h0;
   input [6:0] axi__araddr;
   wire [6:0] axi__araddr;
@@ -17769,15 +17777,19 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   reg [31:0] param_base = 32'd0;
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
-  input \port$1222$0 ;
-  wire \port$1222$0 ;
-  input [2:0] \port$1228$0 ;
-  wire [2:0] \port$1228$0 ;
+  input \port$1266$0 ;
+  wire \port$1266$0 ;
+  input [2:0] \port$1272$0 ;
+  wire [2:0] \port$1272$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
   output [31:0] requant_base;
   reg [31:0] requant_base = 32'd0;
   wire [31:0] residual;
+  reg [31:0] residual_bounds0 = 32'd0;
+  reg [31:0] residual_bounds1 = 32'd0;
+  reg [31:0] residual_table0 = 32'd0;
+  reg [31:0] residual_table1 = 32'd0;
   wire [31:0] row_words;
   input rst;
   wire rst;
@@ -17787,6 +17799,24 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   wire [31:0] weight_depth;
   output [31:0] width;
   reg [31:0] width = 32'd0;
+  always @(posedge clk)
+    residual_table0 <= \$36 ;
+  always @(posedge clk)
+    residual_table1 <= \$37 ;
+  always @(posedge clk)
+    residual_bounds0 <= \$38 ;
+  always @(posedge clk)
+    residual_bounds1 <= \$39 ;
+  always @(posedge clk)
+    \$signal$36  <= \$40 ;
+  always @(posedge clk)
+    held <= \$41 ;
+  always @(posedge clk)
+    axi__rvalid <= \$42 ;
+  always @(posedge clk)
+    axi__rdata <= \$43 ;
+  always @(posedge clk)
+    axi__rresp <= \$44 ;
   assign axi__awready = ~ address_held;
   assign axi__wready = ~ data_held;
   assign axi__arready = ~ held;
@@ -17802,115 +17832,49 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   assign \$10  = ~ loading;
   assign \$11  = ~ busy;
   assign \$12  = ~ busy;
-  assign \$13  = \$signal$14 [0] ? \$signal$12 [3:0] : 4'h0;
-  assign \$14  = axi__arvalid & axi__arready;
+  assign \$13  = ~ busy;
+  assign \$14  = ~ busy;
+  assign \$15  = ~ busy;
+  assign \$16  = ~ busy;
+  assign \$17  = \$signal$14 [0] ? \$signal$12 [3:0] : 4'h0;
+  assign \$18  = axi__arvalid & axi__arready;
   always @(posedge clk)
-    \$signal  <= \$15 ;
+    \$signal  <= \$19 ;
   always @(posedge clk)
-    address_held <= \$16 ;
+    address_held <= \$20 ;
   always @(posedge clk)
-    \$signal$12  <= \$17 ;
+    \$signal$12  <= \$21 ;
   always @(posedge clk)
-    \$signal$14  <= \$18 ;
+    \$signal$14  <= \$22 ;
   always @(posedge clk)
-    data_held <= \$19 ;
+    data_held <= \$23 ;
   always @(posedge clk)
-    command <= \$20 ;
+    command <= \$24 ;
   always @(posedge clk)
-    axi__bvalid <= \$21 ;
+    axi__bvalid <= \$25 ;
   always @(posedge clk)
-    axi__bresp <= \$22 ;
+    axi__bresp <= \$26 ;
   always @(posedge clk)
-    height <= \$23 ;
+    height <= \$27 ;
   always @(posedge clk)
-    width <= \$24 ;
+    width <= \$28 ;
   always @(posedge clk)
-    c_in <= \$25 ;
+    c_in <= \$29 ;
   always @(posedge clk)
-    c_out <= \$26 ;
+    c_out <= \$30 ;
   always @(posedge clk)
-    mode <= \$27 ;
+    mode <= \$31 ;
   always @(posedge clk)
-    param_words <= \$28 ;
+    param_words <= \$32 ;
   always @(posedge clk)
-    param_base <= \$29 ;
+    param_base <= \$33 ;
   always @(posedge clk)
-    weight_base <= \$30 ;
+    weight_base <= \$34 ;
   always @(posedge clk)
-    requant_base <= \$31 ;
-  always @(posedge clk)
-    \$signal$32  <= \$32 ;
-  always @(posedge clk)
-    held <= \$33 ;
-  always @(posedge clk)
-    axi__rvalid <= \$34 ;
-  always @(posedge clk)
-    axi__rdata <= \$35 ;
-  always @(posedge clk)
-    axi__rresp <= \$36 ;
+    requant_base <= \$35 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$15  = \$signal ;
-    if (\$1 ) begin
-      \$15  = axi__awaddr[6:2];
-    end
-    if (rst) begin
-      \$15  = 5'h00;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$16  = address_held;
-    if (\$1 ) begin
-      \$16  = 1'h1;
-    end
-    if (axi__bvalid) begin
-      if (axi__bready) begin
-        \$16  = 1'h0;
-      end
-    end
-    if (rst) begin
-      \$16  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$17  = \$signal$12 ;
-    if (\$2 ) begin
-      \$17  = axi__wdata;
-    end
-    if (rst) begin
-      \$17  = 32'd0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$18  = \$signal$14 ;
-    if (\$2 ) begin
-      \$18  = axi__wstrb;
-    end
-    if (rst) begin
-      \$18  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$19  = data_held;
-    if (\$2 ) begin
-      \$19  = 1'h1;
-    end
-    if (axi__bvalid) begin
-      if (axi__bready) begin
-        \$19  = 1'h0;
-      end
-    end
-    if (rst) begin
-      \$19  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$20  = 4'h0;
+    \$36  = residual_table0;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
@@ -17932,215 +17896,551 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
             /* empty */;
         5'h18:
             /* empty */;
-        5'h02:
-            \$20  = \$13 ;
+        5'h1a:
+            if (\$13 ) begin
+              if (\$signal$14 [0]) begin
+                \$36 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$36 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$36 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$36 [31:24] = \$signal$12 [31:24];
+              end
+            end
       endcase
     end
     if (rst) begin
-      \$20  = 4'h0;
+      \$36  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$21  = axi__bvalid;
+    \$37  = residual_table1;
     if (axi__bvalid) begin
-      if (axi__bready) begin
-        \$21  = 1'h0;
-      end
     end else if (\$3 ) begin
-      \$21  = 1'h1;
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            /* empty */;
+        5'h0a:
+            /* empty */;
+        5'h16:
+            /* empty */;
+        5'h17:
+            /* empty */;
+        5'h18:
+            /* empty */;
+        5'h1a:
+            /* empty */;
+        5'h1b:
+            if (\$14 ) begin
+              if (\$signal$14 [0]) begin
+                \$37 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$37 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$37 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$37 [31:24] = \$signal$12 [31:24];
+              end
+            end
+      endcase
     end
     if (rst) begin
-      \$21  = 1'h0;
+      \$37  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$22  = axi__bresp;
+    \$38  = residual_bounds0;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
-      \$22  = 2'h2;
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            /* empty */;
+        5'h0a:
+            /* empty */;
+        5'h16:
+            /* empty */;
+        5'h17:
+            /* empty */;
+        5'h18:
+            /* empty */;
+        5'h1a:
+            /* empty */;
+        5'h1b:
+            /* empty */;
+        5'h1c:
+            if (\$15 ) begin
+              if (\$signal$14 [0]) begin
+                \$38 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$38 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$38 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$38 [31:24] = \$signal$12 [31:24];
+              end
+            end
+      endcase
+    end
+    if (rst) begin
+      \$38  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$39  = residual_bounds1;
+    if (axi__bvalid) begin
+    end else if (\$3 ) begin
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            /* empty */;
+        5'h0a:
+            /* empty */;
+        5'h16:
+            /* empty */;
+        5'h17:
+            /* empty */;
+        5'h18:
+            /* empty */;
+        5'h1a:
+            /* empty */;
+        5'h1b:
+            /* empty */;
+        5'h1c:
+            /* empty */;
+        5'h1d:
+            if (\$16 ) begin
+              if (\$signal$14 [0]) begin
+                \$39 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$39 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$39 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$39 [31:24] = \$signal$12 [31:24];
+              end
+            end
+      endcase
+    end
+    if (rst) begin
+      \$39  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$40  = \$signal$36 ;
+    if (\$18 ) begin
+      \$40  = axi__araddr[6:2];
+    end
+    if (rst) begin
+      \$40  = 5'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$41  = held;
+    if (\$18 ) begin
+      \$41  = 1'h1;
+    end
+    if (axi__rvalid) begin
+      if (axi__rready) begin
+        \$41  = 1'h0;
+      end
+    end
+    if (rst) begin
+      \$41  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$42  = axi__rvalid;
+    if (axi__rvalid) begin
+      if (axi__rready) begin
+        \$42  = 1'h0;
+      end
+    end else if (held) begin
+      \$42  = 1'h1;
+    end
+    if (rst) begin
+      \$42  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$43  = axi__rdata;
+    if (axi__rvalid) begin
+    end else if (held) begin
+      \$43  = 32'd0;
+      casez (\$signal$36 )
+        5'h00:
+            \$43  = 32'd1296122706;
+        5'h01:
+            \$43  = 32'd131072;
+        5'h02:
+            \$43  = 32'd0;
+        5'h03:
+            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1266$0 , busy };
+        5'h04:
+            \$43  = { 29'h00000000, \port$1272$0  };
+        5'h05:
+            \$43  = height;
+        5'h06:
+            \$43  = width;
+        5'h07:
+            \$43  = c_in;
+        5'h08:
+            \$43  = c_out;
+        5'h09:
+            \$43  = mode;
+        5'h0a:
+            \$43  = param_words;
+        5'h0b:
+            \$43  = cycles;
+        5'h0c:
+            \$43  = mac_cycles;
+        5'h0d:
+            \$43  = fill_cycles;
+        5'h0e:
+            \$43  = input_stalls;
+        5'h0f:
+            \$43  = output_stalls;
+        5'h10:
+            \$43  = drain_cycles;
+        5'h11:
+            \$43  = 32'd67633216;
+        5'h12:
+            \$43  = 32'd197379;
+        5'h13:
+            \$43  = 32'd1024;
+        5'h14:
+            \$43  = 32'd512;
+        5'h15:
+            \$43  = 32'd67109888;
+        5'h16:
+            \$43  = param_base;
+        5'h17:
+            \$43  = weight_base;
+        5'h18:
+            \$43  = requant_base;
+        5'h19:
+            \$43  = 32'd0;
+        5'h1a:
+            \$43  = residual_table0;
+        5'h1b:
+            \$43  = residual_table1;
+        5'h1c:
+            \$43  = residual_bounds0;
+        5'h1d:
+            \$43  = residual_bounds1;
+      endcase
+    end
+    if (rst) begin
+      \$43  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$44  = axi__rresp;
+    if (axi__rvalid) begin
+    end else if (held) begin
+      \$44  = 2'h0;
+      (* full_case = 32'd1 *)
+      casez (\$signal$36 )
+        5'h00:
+            /* empty */;
+        5'h01:
+            /* empty */;
+        5'h02:
+            /* empty */;
+        5'h03:
+            /* empty */;
+        5'h04:
+            /* empty */;
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            /* empty */;
+        5'h0a:
+            /* empty */;
+        5'h0b:
+            /* empty */;
+        5'h0c:
+            /* empty */;
+        5'h0d:
+            /* empty */;
+        5'h0e:
+            /* empty */;
+        5'h0f:
+            /* empty */;
+        5'h10:
+            /* empty */;
+        5'h11:
+            /* empty */;
+        5'h12:
+            /* empty */;
+        5'h13:
+            /* empty */;
+        5'h14:
+            /* empty */;
+        5'h15:
+            /* empty */;
+        5'h16:
+            /* empty */;
+        5'h17:
+            /* empty */;
+        5'h18:
+            /* empty */;
+        5'h19:
+            /* empty */;
+        5'h1a:
+            /* empty */;
+        5'h1b:
+            /* empty */;
+        5'h1c:
+            /* empty */;
+        5'h1d:
+            /* empty */;
+        default:
+            \$44  = 2'h2;
+      endcase
+    end
+    if (rst) begin
+      \$44  = 2'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$19  = \$signal ;
+    if (\$1 ) begin
+      \$19  = axi__awaddr[6:2];
+    end
+    if (rst) begin
+      \$19  = 5'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$20  = address_held;
+    if (\$1 ) begin
+      \$20  = 1'h1;
+    end
+    if (axi__bvalid) begin
+      if (axi__bready) begin
+        \$20  = 1'h0;
+      end
+    end
+    if (rst) begin
+      \$20  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$21  = \$signal$12 ;
+    if (\$2 ) begin
+      \$21  = axi__wdata;
+    end
+    if (rst) begin
+      \$21  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$22  = \$signal$14 ;
+    if (\$2 ) begin
+      \$22  = axi__wstrb;
+    end
+    if (rst) begin
+      \$22  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$23  = data_held;
+    if (\$2 ) begin
+      \$23  = 1'h1;
+    end
+    if (axi__bvalid) begin
+      if (axi__bready) begin
+        \$23  = 1'h0;
+      end
+    end
+    if (rst) begin
+      \$23  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$24  = 4'h0;
+    if (axi__bvalid) begin
+    end else if (\$3 ) begin
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            /* empty */;
+        5'h0a:
+            /* empty */;
+        5'h16:
+            /* empty */;
+        5'h17:
+            /* empty */;
+        5'h18:
+            /* empty */;
+        5'h1a:
+            /* empty */;
+        5'h1b:
+            /* empty */;
+        5'h1c:
+            /* empty */;
+        5'h1d:
+            /* empty */;
+        5'h02:
+            \$24  = \$17 ;
+      endcase
+    end
+    if (rst) begin
+      \$24  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$25  = axi__bvalid;
+    if (axi__bvalid) begin
+      if (axi__bready) begin
+        \$25  = 1'h0;
+      end
+    end else if (\$3 ) begin
+      \$25  = 1'h1;
+    end
+    if (rst) begin
+      \$25  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$26  = axi__bresp;
+    if (axi__bvalid) begin
+    end else if (\$3 ) begin
+      \$26  = 2'h2;
       casez (\$signal )
         5'h05:
             if (\$4 ) begin
-              \$22  = 2'h0;
+              \$26  = 2'h0;
             end
         5'h06:
             if (\$5 ) begin
-              \$22  = 2'h0;
+              \$26  = 2'h0;
             end
         5'h07:
             if (\$6 ) begin
-              \$22  = 2'h0;
+              \$26  = 2'h0;
             end
         5'h08:
             if (\$7 ) begin
-              \$22  = 2'h0;
+              \$26  = 2'h0;
             end
         5'h09:
             if (\$8 ) begin
-              \$22  = 2'h0;
+              \$26  = 2'h0;
             end
         5'h0a:
             if (\$9 ) begin
-              \$22  = 2'h0;
+              \$26  = 2'h0;
             end
         5'h16:
             if (\$10 ) begin
-              \$22  = 2'h0;
+              \$26  = 2'h0;
             end
         5'h17:
             if (\$11 ) begin
-              \$22  = 2'h0;
+              \$26  = 2'h0;
             end
         5'h18:
             if (\$12 ) begin
-              \$22  = 2'h0;
+              \$26  = 2'h0;
+            end
+        5'h1a:
+            if (\$13 ) begin
+              \$26  = 2'h0;
+            end
+        5'h1b:
+            if (\$14 ) begin
+              \$26  = 2'h0;
+            end
+        5'h1c:
+            if (\$15 ) begin
+              \$26  = 2'h0;
+            end
+        5'h1d:
+            if (\$16 ) begin
+              \$26  = 2'h0;
             end
         5'h02:
-            \$22  = 2'h0;
+            \$26  = 2'h0;
       endcase
     end
     if (rst) begin
-      \$22  = 2'h0;
+      \$26  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$23  = height;
+    \$27  = height;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
         5'h05:
             if (\$4 ) begin
-              if (\$signal$14 [0]) begin
-                \$23 [7:0] = \$signal$12 [7:0];
-              end
-              if (\$signal$14 [1]) begin
-                \$23 [15:8] = \$signal$12 [15:8];
-              end
-              if (\$signal$14 [2]) begin
-                \$23 [23:16] = \$signal$12 [23:16];
-              end
-              if (\$signal$14 [3]) begin
-                \$23 [31:24] = \$signal$12 [31:24];
-              end
-            end
-      endcase
-    end
-    if (rst) begin
-      \$23  = 32'd0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$24  = width;
-    if (axi__bvalid) begin
-    end else if (\$3 ) begin
-      casez (\$signal )
-        5'h05:
-            /* empty */;
-        5'h06:
-            if (\$5 ) begin
-              if (\$signal$14 [0]) begin
-                \$24 [7:0] = \$signal$12 [7:0];
-              end
-              if (\$signal$14 [1]) begin
-                \$24 [15:8] = \$signal$12 [15:8];
-              end
-              if (\$signal$14 [2]) begin
-                \$24 [23:16] = \$signal$12 [23:16];
-              end
-              if (\$signal$14 [3]) begin
-                \$24 [31:24] = \$signal$12 [31:24];
-              end
-            end
-      endcase
-    end
-    if (rst) begin
-      \$24  = 32'd0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$25  = c_in;
-    if (axi__bvalid) begin
-    end else if (\$3 ) begin
-      casez (\$signal )
-        5'h05:
-            /* empty */;
-        5'h06:
-            /* empty */;
-        5'h07:
-            if (\$6 ) begin
-              if (\$signal$14 [0]) begin
-                \$25 [7:0] = \$signal$12 [7:0];
-              end
-              if (\$signal$14 [1]) begin
-                \$25 [15:8] = \$signal$12 [15:8];
-              end
-              if (\$signal$14 [2]) begin
-                \$25 [23:16] = \$signal$12 [23:16];
-              end
-              if (\$signal$14 [3]) begin
-                \$25 [31:24] = \$signal$12 [31:24];
-              end
-            end
-      endcase
-    end
-    if (rst) begin
-      \$25  = 32'd0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$26  = c_out;
-    if (axi__bvalid) begin
-    end else if (\$3 ) begin
-      casez (\$signal )
-        5'h05:
-            /* empty */;
-        5'h06:
-            /* empty */;
-        5'h07:
-            /* empty */;
-        5'h08:
-            if (\$7 ) begin
-              if (\$signal$14 [0]) begin
-                \$26 [7:0] = \$signal$12 [7:0];
-              end
-              if (\$signal$14 [1]) begin
-                \$26 [15:8] = \$signal$12 [15:8];
-              end
-              if (\$signal$14 [2]) begin
-                \$26 [23:16] = \$signal$12 [23:16];
-              end
-              if (\$signal$14 [3]) begin
-                \$26 [31:24] = \$signal$12 [31:24];
-              end
-            end
-      endcase
-    end
-    if (rst) begin
-      \$26  = 32'd0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$27  = mode;
-    if (axi__bvalid) begin
-    end else if (\$3 ) begin
-      casez (\$signal )
-        5'h05:
-            /* empty */;
-        5'h06:
-            /* empty */;
-        5'h07:
-            /* empty */;
-        5'h08:
-            /* empty */;
-        5'h09:
-            if (\$8 ) begin
               if (\$signal$14 [0]) begin
                 \$27 [7:0] = \$signal$12 [7:0];
               end
@@ -18157,27 +18457,19 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       endcase
     end
     if (rst) begin
-      \$27  = 32'd65795;
+      \$27  = 32'd0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$28  = param_words;
+    \$28  = width;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
         5'h05:
             /* empty */;
         5'h06:
-            /* empty */;
-        5'h07:
-            /* empty */;
-        5'h08:
-            /* empty */;
-        5'h09:
-            /* empty */;
-        5'h0a:
-            if (\$9 ) begin
+            if (\$5 ) begin
               if (\$signal$14 [0]) begin
                 \$28 [7:0] = \$signal$12 [7:0];
               end
@@ -18199,7 +18491,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$29  = param_base;
+    \$29  = c_in;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
@@ -18208,15 +18500,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h06:
             /* empty */;
         5'h07:
-            /* empty */;
-        5'h08:
-            /* empty */;
-        5'h09:
-            /* empty */;
-        5'h0a:
-            /* empty */;
-        5'h16:
-            if (\$10 ) begin
+            if (\$6 ) begin
               if (\$signal$14 [0]) begin
                 \$29 [7:0] = \$signal$12 [7:0];
               end
@@ -18238,7 +18522,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$30  = weight_base;
+    \$30  = c_out;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
@@ -18249,15 +18533,7 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h07:
             /* empty */;
         5'h08:
-            /* empty */;
-        5'h09:
-            /* empty */;
-        5'h0a:
-            /* empty */;
-        5'h16:
-            /* empty */;
-        5'h17:
-            if (\$11 ) begin
+            if (\$7 ) begin
               if (\$signal$14 [0]) begin
                 \$30 [7:0] = \$signal$12 [7:0];
               end
@@ -18279,7 +18555,159 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$31  = requant_base;
+    \$31  = mode;
+    if (axi__bvalid) begin
+    end else if (\$3 ) begin
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            if (\$8 ) begin
+              if (\$signal$14 [0]) begin
+                \$31 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$31 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$31 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$31 [31:24] = \$signal$12 [31:24];
+              end
+            end
+      endcase
+    end
+    if (rst) begin
+      \$31  = 32'd65795;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$32  = param_words;
+    if (axi__bvalid) begin
+    end else if (\$3 ) begin
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            /* empty */;
+        5'h0a:
+            if (\$9 ) begin
+              if (\$signal$14 [0]) begin
+                \$32 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$32 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$32 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$32 [31:24] = \$signal$12 [31:24];
+              end
+            end
+      endcase
+    end
+    if (rst) begin
+      \$32  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$33  = param_base;
+    if (axi__bvalid) begin
+    end else if (\$3 ) begin
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            /* empty */;
+        5'h0a:
+            /* empty */;
+        5'h16:
+            if (\$10 ) begin
+              if (\$signal$14 [0]) begin
+                \$33 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$33 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$33 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$33 [31:24] = \$signal$12 [31:24];
+              end
+            end
+      endcase
+    end
+    if (rst) begin
+      \$33  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$34  = weight_base;
+    if (axi__bvalid) begin
+    end else if (\$3 ) begin
+      casez (\$signal )
+        5'h05:
+            /* empty */;
+        5'h06:
+            /* empty */;
+        5'h07:
+            /* empty */;
+        5'h08:
+            /* empty */;
+        5'h09:
+            /* empty */;
+        5'h0a:
+            /* empty */;
+        5'h16:
+            /* empty */;
+        5'h17:
+            if (\$11 ) begin
+              if (\$signal$14 [0]) begin
+                \$34 [7:0] = \$signal$12 [7:0];
+              end
+              if (\$signal$14 [1]) begin
+                \$34 [15:8] = \$signal$12 [15:8];
+              end
+              if (\$signal$14 [2]) begin
+                \$34 [23:16] = \$signal$12 [23:16];
+              end
+              if (\$signal$14 [3]) begin
+                \$34 [31:24] = \$signal$12 [31:24];
+              end
+            end
+      endcase
+    end
+    if (rst) begin
+      \$34  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
+    \$35  = requant_base;
     if (axi__bvalid) begin
     end else if (\$3 ) begin
       casez (\$signal )
@@ -18302,198 +18730,26 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h18:
             if (\$12 ) begin
               if (\$signal$14 [0]) begin
-                \$31 [7:0] = \$signal$12 [7:0];
+                \$35 [7:0] = \$signal$12 [7:0];
               end
               if (\$signal$14 [1]) begin
-                \$31 [15:8] = \$signal$12 [15:8];
+                \$35 [15:8] = \$signal$12 [15:8];
               end
               if (\$signal$14 [2]) begin
-                \$31 [23:16] = \$signal$12 [23:16];
+                \$35 [23:16] = \$signal$12 [23:16];
               end
               if (\$signal$14 [3]) begin
-                \$31 [31:24] = \$signal$12 [31:24];
+                \$35 [31:24] = \$signal$12 [31:24];
               end
             end
       endcase
     end
     if (rst) begin
-      \$31  = 32'd0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$32  = \$signal$32 ;
-    if (\$14 ) begin
-      \$32  = axi__araddr[6:2];
-    end
-    if (rst) begin
-      \$32  = 5'h00;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$33  = held;
-    if (\$14 ) begin
-      \$33  = 1'h1;
-    end
-    if (axi__rvalid) begin
-      if (axi__rready) begin
-        \$33  = 1'h0;
-      end
-    end
-    if (rst) begin
-      \$33  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$34  = axi__rvalid;
-    if (axi__rvalid) begin
-      if (axi__rready) begin
-        \$34  = 1'h0;
-      end
-    end else if (held) begin
-      \$34  = 1'h1;
-    end
-    if (rst) begin
-      \$34  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$35  = axi__rdata;
-    if (axi__rvalid) begin
-    end else if (held) begin
-      \$35  = 32'd0;
-      casez (\$signal$32 )
-        5'h00:
-            \$35  = 32'd1296122706;
-        5'h01:
-            \$35  = 32'd131072;
-        5'h02:
-            \$35  = 32'd0;
-        5'h03:
-            \$35  = { 28'h0000000, loading, \port$2$0 , \port$1222$0 , busy };
-        5'h04:
-            \$35  = { 29'h00000000, \port$1228$0  };
-        5'h05:
-            \$35  = height;
-        5'h06:
-            \$35  = width;
-        5'h07:
-            \$35  = c_in;
-        5'h08:
-            \$35  = c_out;
-        5'h09:
-            \$35  = mode;
-        5'h0a:
-            \$35  = param_words;
-        5'h0b:
-            \$35  = cycles;
-        5'h0c:
-            \$35  = mac_cycles;
-        5'h0d:
-            \$35  = fill_cycles;
-        5'h0e:
-            \$35  = input_stalls;
-        5'h0f:
-            \$35  = output_stalls;
-        5'h10:
-            \$35  = drain_cycles;
-        5'h11:
-            \$35  = 32'd67633216;
-        5'h12:
-            \$35  = 32'd197379;
-        5'h13:
-            \$35  = 32'd1024;
-        5'h14:
-            \$35  = 32'd512;
-        5'h15:
-            \$35  = 32'd67109888;
-        5'h16:
-            \$35  = param_base;
-        5'h17:
-            \$35  = weight_base;
-        5'h18:
-            \$35  = requant_base;
-        5'h19:
-            \$35  = 32'd0;
-      endcase
-    end
-    if (rst) begin
       \$35  = 32'd0;
     end
   end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$11 ) begin end
-    \$36  = axi__rresp;
-    if (axi__rvalid) begin
-    end else if (held) begin
-      \$36  = 2'h0;
-      (* full_case = 32'd1 *)
-      casez (\$signal$32 )
-        5'h00:
-            /* empty */;
-        5'h01:
-            /* empty */;
-        5'h02:
-            /* empty */;
-        5'h03:
-            /* empty */;
-        5'h04:
-            /* empty */;
-        5'h05:
-            /* empty */;
-        5'h06:
-            /* empty */;
-        5'h07:
-            /* empty */;
-        5'h08:
-            /* empty */;
-        5'h09:
-            /* empty */;
-        5'h0a:
-            /* empty */;
-        5'h0b:
-            /* empty */;
-        5'h0c:
-            /* empty */;
-        5'h0d:
-            /* empty */;
-        5'h0e:
-            /* empty */;
-        5'h0f:
-            /* empty */;
-        5'h10:
-            /* empty */;
-        5'h11:
-            /* empty */;
-        5'h12:
-            /* empty */;
-        5'h13:
-            /* empty */;
-        5'h14:
-            /* empty */;
-        5'h15:
-            /* empty */;
-        5'h16:
-            /* empty */;
-        5'h17:
-            /* empty */;
-        5'h18:
-            /* empty */;
-        5'h19:
-            /* empty */;
-        default:
-            \$36  = 2'h2;
-      endcase
-    end
-    if (rst) begin
-      \$36  = 2'h0;
-    end
-  end
-  assign status = { 28'h0000000, loading, \port$2$0 , \port$1222$0 , busy };
-  assign error = { 29'h00000000, \port$1228$0  };
+  assign status = { 28'h0000000, loading, \port$2$0 , \port$1266$0 , busy };
+  assign error = { 29'h00000000, \port$1272$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
   assign weight_depth = 32'd1024;

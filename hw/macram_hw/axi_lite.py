@@ -76,7 +76,7 @@ class AxiLite(wiring.Signature):
 
 
 class AxiLiteRegisters(wiring.Component):
-    """The register map behind AXI4-Lite, without the registers of lower-case names ``absent``, which read as unmapped.
+    """The register map behind AXI4-Lite.
 
     Members besides ``axi``, named after the registers in lower case:
 
@@ -101,10 +101,9 @@ class AxiLiteRegisters(wiring.Component):
     WRITE_LATENCY = 2
     READ_LATENCY = 2
 
-    def __init__(self, absent: tuple[str, ...] = ()):
-        self._mapped = [r for r in REGISTERS if r.name.lower() not in absent]
-        self._inputs = [r for r in self._mapped if r.access == "RO" and r.name not in _CONSTANTS]
-        self._stored = [r for r in self._mapped if r.access == "RW"]
+    def __init__(self):
+        self._inputs = [r for r in REGISTERS if r.access == "RO" and r.name not in _CONSTANTS]
+        self._stored = [r for r in REGISTERS if r.access == "RW"]
         super().__init__(
             {
                 "axi": In(AxiLite(ADDRESS_BITS)),
@@ -169,7 +168,7 @@ class AxiLiteRegisters(wiring.Component):
         with m.Elif(held):
             m.d.sync += [axi.rvalid.eq(1), axi.rdata.eq(0), axi.rresp.eq(OKAY)]
             with m.Switch(address):
-                for register in self._mapped:
+                for register in REGISTERS:
                     with m.Case(register.offset >> 2):
                         m.d.sync += axi.rdata.eq(self._value(register))
                 with m.Default():

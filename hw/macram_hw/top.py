@@ -56,8 +56,7 @@ class Top(wiring.Component):
             m.domains.double = double = ClockDomain(reset_less=True)
             m.d.comb += double.clk.eq(self.aclk2x)
 
-        absent = () if config.residual_stream_bits else RESIDUAL_REGISTERS
-        m.submodules.registers = registers = AxiLiteRegisters(absent)
+        m.submodules.registers = registers = AxiLiteRegisters()
         soft_reset = Signal()
         array = Array(config)
         m.submodules.array = ResetInserter(soft_reset)(array)
