@@ -133,9 +133,7 @@ def pixel_in_cycles(layer: ConvSpec, array: ArrayConfig) -> int:
     """Cycles per input pixel: word w leaves one cycle after the beat that completes it, one per cycle."""
     beats = StreamLayout(layer.c_in, layer.input, array.stream_bits).beats_per_pixel
     words = ceil_div(array.blocks(layer.c_in), array.ingest)
-    word_bits = array.ingest * array.block_bits
-    completing = [ceil_div((word + 1) * word_bits, array.stream_bits) for word in range(words - 1)] + [beats]
-    return max(min(beat, beats) + words - 1 - word for word, beat in enumerate(completing))
+    return _ingest_cycles(beats, array.stream_bits, words, array.ingest * array.block_bits)
 
 
 def pixel_out_cycles(layer: ConvSpec, array: ArrayConfig) -> int:
@@ -148,8 +146,13 @@ def pixel_residual_cycles(layer: ConvSpec, array: ArrayConfig) -> int:
     beat_bits = array.residual_stream_bits
     beats = StreamLayout(layer.c_out, RESIDUAL, beat_bits).beats_per_pixel
     words = ceil_div(layer.c_out, array.output_word_channels)
-    beats_of_first_word = min(beats, ceil_div(array.output_word_channels * RESIDUAL.bits, beat_bits))
-    return max(beats, words - 1 + beats_of_first_word, _emit_cycles(layer, array, RESIDUAL, beat_bits))
+    coming = _ingest_cycles(beats, beat_bits, words, array.output_word_channels * RESIDUAL.bits)
+    return max(coming, _emit_cycles(layer, array, RESIDUAL, beat_bits))
+
+
+def _ingest_cycles(beats: int, beat_bits: int, words: int, word_bits: int) -> int:
+    completing = [ceil_div((word + 1) * word_bits, beat_bits) for word in range(words - 1)] + [beats]
+    return max(min(beat, beats) + words - 1 - word for word, beat in enumerate(completing))
 
 
 def _emit_cycles(layer: ConvSpec, array: ArrayConfig, form: IntFormat, beat_bits: int) -> int:

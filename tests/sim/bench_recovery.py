@@ -127,7 +127,7 @@ async def a_load_beside_a_run_ends_where_it_was_sent(dut):
     for place, other in ((BOTTOM, TOP), (TOP, BOTTOM), (BOTTOM, TOP)):
         await bench.driver.configure(spec, place=place)
         result = await bench.driver.run(
-            bench.image, lambda other=other: bench.driver.load(bench.packed, place=other)
+            bench.image, meanwhile=lambda other=other: bench.driver.load(bench.packed, place=other)
         )
         np.testing.assert_array_equal(result.codes, bench.expected)
     await bench.driver.configure(spec, place=TOP)
