@@ -61,9 +61,7 @@ def cell_models(device, gate):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("device", "engine"), [("xczu3eg", "portable"), ("xczu3eg", "dsp48e2"), ("ecp5-85k", "portable")]
-)
+@pytest.mark.parametrize(("device", "engine"), [("xczu3eg", "dsp48e2"), ("ecp5-85k", "portable")])
 def test_the_netlist_of_a_unit_equals_its_verilog(toolchain, tmp_path, device, engine):
     config = replace(TINY, engine=engine)
     sources, gate = netlist(tmp_path, config, device)
