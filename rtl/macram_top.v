@@ -175,7 +175,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .\o__ready$49 (m_axis_tready),
     .\o__valid$51 (m_axis_tvalid),
     .output_stalls(output_stalls),
-    .\port$1022$0 (command),
+    .\port$1020$0 (command),
     .rst(rst),
     .width(width),
     .words(words)
@@ -212,8 +212,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .mode(mode),
     .output_stalls(output_stalls),
     .param_words(words),
-    .\port$1059$0 (error),
-    .\port$1061$0 (done),
+    .\port$1057$0 (error),
+    .\port$1059$0 (done),
     .\port$2$0 (\$1 ),
     .rst(rst),
     .width(width)
@@ -280,7 +280,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__ready, \o__valid$51 , i__payload, \i__payload$53 , \port$1022$0 , height, width, c_in, c_out, mode, words, \error$608 , done, cycles, mac_cycles, fill_cycles
+module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__ready, \o__valid$51 , i__payload, \i__payload$53 , \port$1020$0 , height, width, c_in, c_out, mode, words, \error$608 , done, cycles, mac_cycles, fill_cycles
 , input_stalls, output_stalls, drain_cycles, \o__payload$47 , \busy$16 , clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
@@ -1770,8 +1770,8 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   wire \params__payload.last ;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1022$0 ;
-  wire [3:0] \port$1022$0 ;
+  input [3:0] \port$1020$0 ;
+  wire [3:0] \port$1020$0 ;
   wire [14:0] read;
   wire [7:0] \read.address ;
   wire \read.bank ;
@@ -2221,16 +2221,16 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \$23  = \wait  - 1'h1;
   assign \$24  = \wait  == 1'h1;
   assign \$25  = ! error;
-  assign \$26  = | \port$1022$0 [2:0];
+  assign \$26  = | \port$1020$0 [2:0];
   assign \$27  = ~ busy;
   assign \$28  = \$26  & \$27 ;
-  assign \$29  = \port$1022$0 [2:0] - 1'h1;
-  assign \$30  = { 1'h0, \port$1022$0 [2:0] } & \$29 ;
+  assign \$29  = \port$1020$0 [2:0] - 1'h1;
+  assign \$30  = { 1'h0, \port$1020$0 [2:0] } & \$29 ;
   assign \$31  = ! \$30 ;
   assign \$32  = ~ \$31 ;
-  assign \$33  = \port$1022$0 [1] | \port$1022$0 [2];
+  assign \$33  = \port$1020$0 [1] | \port$1020$0 [2];
   assign \$34  = ! words;
-  assign \$35  = \port$1022$0 [2] ? 10'h100 : 10'h200;
+  assign \$35  = \port$1020$0 [2] ? 10'h100 : 10'h200;
   assign \$36  = words > \$35 ;
   assign \$37  = \$34  | \$36 ;
   assign \$38  = \$33  & \$37 ;
@@ -2296,16 +2296,16 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \$3  = \wait  == 1'h1;
   assign \$4  = ! error;
   assign start = \$3  & \$4 ;
-  assign \$5  = | \port$1022$0 [2:0];
+  assign \$5  = | \port$1020$0 [2:0];
   assign \$6  = ~ busy;
   assign \$7  = \$5  & \$6 ;
-  assign \$8  = \port$1022$0 [2:0] - 1'h1;
-  assign \$9  = { 1'h0, \port$1022$0 [2:0] } & \$8 ;
+  assign \$8  = \port$1020$0 [2:0] - 1'h1;
+  assign \$9  = { 1'h0, \port$1020$0 [2:0] } & \$8 ;
   assign \$10  = ! \$9 ;
   assign \$11  = ~ \$10 ;
-  assign \$12  = \port$1022$0 [1] | \port$1022$0 [2];
+  assign \$12  = \port$1020$0 [1] | \port$1020$0 [2];
   assign \$13  = ! words;
-  assign \$14  = \port$1022$0 [2] ? 10'h100 : 10'h200;
+  assign \$14  = \port$1020$0 [2] ? 10'h100 : 10'h200;
   assign \$15  = words > \$14 ;
   assign \$16  = \$13  | \$15 ;
   assign \$17  = \$12  & \$16 ;
@@ -2326,7 +2326,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .mode(mode),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1020$0 [3]),
     .width(width)
   );
   \macram_top.array.drain  drain (
@@ -2343,7 +2343,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1020$0 [3]),
     .start(start),
     .valid(\i__valid$45 )
   );
@@ -2357,7 +2357,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .o__ready(\o__ready$49 ),
     .o__valid(\o__valid$51 ),
     .rst(rst),
-    .soft_reset(\port$1022$0 [3])
+    .soft_reset(\port$1020$0 [3])
   );
   \macram_top.array.frame  frame (
     .clk(clk),
@@ -2370,7 +2370,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .o__valid(\i__valid$33 ),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1020$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
@@ -2382,9 +2382,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .o__payload(\i__payload$35 ),
     .o__ready(\o__ready$37 ),
     .o__valid(\i__valid$39 ),
-    .\port$1096$63 (shape[76:63]),
+    .\port$1094$63 (shape[76:63]),
     .rst(rst),
-    .soft_reset(\port$1022$0 [3])
+    .soft_reset(\port$1020$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
@@ -2397,7 +2397,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .retire(retire),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1020$0 [3]),
     .start(start),
     .word(activations)
   );
@@ -2408,12 +2408,12 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .i__payload(\i__payload$53 ),
     .i__ready(\busy$16 ),
     .i__valid(\i__valid$57 ),
-    .\port$1305$0 (\$70 ),
-    .\port$1307$0 (\$71 ),
-    .\port$1309$0 (\$72 ),
+    .\port$1307$0 (\$70 ),
+    .\port$1309$0 (\$71 ),
+    .\port$1311$0 (\$72 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1020$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
     .unit_en(unit_en),
@@ -2430,7 +2430,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     .retire(retire),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1022$0 [3]),
+    .soft_reset(\port$1020$0 [3]),
     .start(start),
     .starved(starved),
     .\step$37 (step)
@@ -3269,9 +3269,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (\$7 ) begin
       (* full_case = 32'd1 *)
       if (\$18 ) begin
-      end else if (\port$1022$0 [0]) begin
+      end else if (\port$1020$0 [0]) begin
       end else begin
-        start_weights = \port$1022$0 [1];
+        start_weights = \port$1020$0 [1];
       end
     end
   end
@@ -3281,9 +3281,9 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (\$7 ) begin
       (* full_case = 32'd1 *)
       if (\$18 ) begin
-      end else if (\port$1022$0 [0]) begin
+      end else if (\port$1020$0 [0]) begin
       end else begin
-        start_requant = \port$1022$0 [2];
+        start_requant = \port$1020$0 [2];
       end
     end
   end
@@ -3295,11 +3295,11 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     end
     if (\$28 ) begin
       if (\$39 ) begin
-      end else if (\port$1022$0 [0]) begin
+      end else if (\port$1020$0 [0]) begin
         \$53  = 2'h2;
       end
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$53  = 2'h0;
     end
     if (rst) begin
@@ -3317,7 +3317,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (\$42 ) begin
       \$54  = 1'h0;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$54  = 1'h0;
     end
     if (rst) begin
@@ -3345,7 +3345,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
         \$55  = \error$613 ;
       end
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$55  = 3'h0;
     end
     if (rst) begin
@@ -3361,7 +3361,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (\$42 ) begin
       \$56  = 1'h1;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$56  = 1'h0;
     end
     if (rst) begin
@@ -3371,7 +3371,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$57  = step[31:24];
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$57  = 8'h00;
     end
     if (rst) begin
@@ -3381,7 +3381,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$58  = control0;
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$58  = 8'h00;
     end
     if (rst) begin
@@ -3391,7 +3391,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$59  = control1;
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$59  = 8'h00;
     end
     if (rst) begin
@@ -3401,7 +3401,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$60  = control2;
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$60  = 8'h00;
     end
     if (rst) begin
@@ -3417,7 +3417,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$61  = 1'h0;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$61  = 1'h0;
     end
     if (rst) begin
@@ -3433,7 +3433,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$62  = 1'h0;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$62  = 1'h0;
     end
     if (rst) begin
@@ -3449,7 +3449,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$63  = 1'h0;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$63  = 1'h0;
     end
     if (rst) begin
@@ -3465,7 +3465,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$64  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$64  = 32'd0;
     end
     if (rst) begin
@@ -3483,7 +3483,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$65  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$65  = 32'd0;
     end
     if (rst) begin
@@ -3502,7 +3502,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$66  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$66  = 32'd0;
     end
     if (rst) begin
@@ -3522,7 +3522,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$67  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$67  = 32'd0;
     end
     if (rst) begin
@@ -3543,7 +3543,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$68  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$68  = 32'd0;
     end
     if (rst) begin
@@ -3566,7 +3566,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
     if (start) begin
       \$69  = 32'd0;
     end
-    if (\port$1022$0 [3]) begin
+    if (\port$1020$0 [3]) begin
       \$69  = 32'd0;
     end
     if (rst) begin
@@ -3580,7 +3580,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \mode$9  = mode;
   assign \words$11  = words;
   assign \shape$13  = shape;
-  assign command = \port$1022$0 [2:0];
+  assign command = \port$1020$0 [2:0];
   assign \i__payload$24  = i__payload;
   assign \i__ready$26  = i__ready;
   assign \i__valid$28  = i__valid;
@@ -4066,7 +4066,7 @@ module \macram_top.array (i__valid, \i__valid$57 , \o__ready$49 , rst, busy, i__
   assign \activations$598  = activations;
   assign \control$599  = control3;
   assign \shift$600  = shift;
-  assign soft_reset = \port$1022$0 [3];
+  assign soft_reset = \port$1020$0 [3];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
   assign \shape.groups  = shape[46:32];
@@ -7126,37 +7126,36 @@ endmodule
 module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, beats_per_pixel, i__payload, i__valid, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$5  = 0;
   wire [16:0] \$1 ;
-  wire [7:0] \$10 ;
-  wire [7:0] \$11 ;
+  wire [16:0] \$10 ;
+  wire [16:0] \$11 ;
   wire \$12 ;
   wire \$13 ;
   wire \$14 ;
-  wire [111:0] \$15 ;
-  wire [111:0] \$16 ;
-  wire [111:0] \$17 ;
-  wire [47:0] \$18 ;
-  wire [174:0] \$19 ;
-  wire \$2 ;
-  wire [174:0] \$20 ;
-  wire [5:0] \$21 ;
-  wire [7:0] \$22 ;
-  wire [16:0] \$23 ;
-  wire [16:0] \$24 ;
-  reg [111:0] \$25 ;
-  reg [6:0] \$26 ;
-  reg \$27 ;
-  reg \$28 ;
-  reg [15:0] \$29 ;
-  wire \$3 ;
-  wire \$4 ;
-  wire [16:0] \$5 ;
-  wire \$6 ;
-  wire \$7 ;
-  wire [7:0] \$8 ;
+  wire [7:0] \$15 ;
+  wire [7:0] \$16 ;
+  wire [7:0] \$17 ;
+  wire [7:0] \$18 ;
+  wire \$19 ;
+  wire [111:0] \$2 ;
+  wire \$20 ;
+  wire \$21 ;
+  reg [15:0] \$22 ;
+  reg [111:0] \$23 ;
+  reg [6:0] \$24 ;
+  reg \$25 ;
+  reg \$26 ;
+  reg [15:0] \$27 ;
+  wire [111:0] \$3 ;
+  wire [111:0] \$4 ;
+  wire [47:0] \$5 ;
+  wire [174:0] \$6 ;
+  wire [174:0] \$7 ;
+  wire [5:0] \$8 ;
   wire [7:0] \$9 ;
-  reg \$signal  = 1'h0;
-  wire \$signal$10 ;
-  wire \$signal$8 ;
+  reg [15:0] \$signal  = 16'h0000;
+  reg \$signal$11  = 1'h0;
+  wire \$signal$5 ;
+  wire \$signal$6 ;
   reg [15:0] beats_out = 16'h0000;
   input [15:0] beats_per_pixel;
   wire [15:0] beats_per_pixel;
@@ -7173,6 +7172,7 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   input i__valid;
   wire i__valid;
   reg image_last = 1'h0;
+  wire last_beat;
   reg [6:0] level = 7'h00;
   wire [6:0] level_after;
   output [64:0] o__payload;
@@ -7188,114 +7188,124 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   wire rst;
   input soft_reset;
   wire soft_reset;
-  assign \$1  = beats_out + 1'h1;
-  assign \$2  = \$1  == beats_per_pixel;
-  assign \$3  = \$2  & image_last;
-  assign \$4  = level >= 7'h40;
-  assign o__valid = \$4  | \$signal ;
-  assign \$signal$8  = o__valid & o__ready;
-  assign \$5  = beats_out + 1'h1;
-  assign \$6  = \$5  == beats_per_pixel;
-  assign \$signal$10  = \$signal$8  & \$6 ;
-  assign \$7  = level >= 7'h40;
-  assign \$8  = level - 7'h40;
-  assign \$9  = \$7  ? \$8  : 8'h00;
-  assign \$10  = \$signal$8  ? \$9  : { 1'h0, level };
-  assign \$11  = \$signal$10  ? 8'h00 : \$10 ;
-  assign \$12  = ~ \$signal ;
-  assign \$13  = \$12  | \$signal$10 ;
-  assign \$14  = \$11 [6:0] <= 7'h40;
-  assign i__ready = \$13  & \$14 ;
+  assign \$1  = beats_per_pixel - 1'h1;
+  assign \$3  = \$signal$6  ? \$2  : buffer;
+  assign \$4  = \$signal$5  ? 112'h0000000000000000000000000000 : \$3 ;
+  assign \$5  = put ? i__payload[47:0] : 48'h000000000000;
+  assign \$6  = \$5  << \$18 [6:0];
+  assign \$7  = { 63'h0000000000000000, \$4  } | \$6 ;
+  assign \$8  = put ? 6'h30 : 6'h00;
+  assign \$9  = \$18 [6:0] + \$8 ;
+  assign \$10  = beats_out + 1'h1;
+  assign \$11  = \$signal$5  ? 17'h00000 : \$10 ;
+  assign last_beat = beats_out == \$signal ;
+  assign \$12  = last_beat & image_last;
+  assign \$13  = level >= 7'h40;
+  assign o__valid = \$13  | \$signal$11 ;
+  assign \$signal$6  = o__valid & o__ready;
+  assign \$signal$5  = \$signal$6  & last_beat;
+  assign \$14  = level >= 7'h40;
+  assign \$15  = level - 7'h40;
+  assign \$16  = \$14  ? \$15  : 8'h00;
+  assign \$17  = \$signal$6  ? \$16  : { 1'h0, level };
+  assign \$18  = \$signal$5  ? 8'h00 : \$17 ;
+  assign \$19  = ~ \$signal$11 ;
+  assign \$20  = \$19  | \$signal$5 ;
+  assign \$21  = \$18 [6:0] <= 7'h40;
+  assign i__ready = \$20  & \$21 ;
   assign put = i__valid & i__ready;
-  assign \$16  = \$signal$8  ? \$15  : buffer;
-  assign \$17  = \$signal$10  ? 112'h0000000000000000000000000000 : \$16 ;
-  assign \$18  = put ? i__payload[47:0] : 48'h000000000000;
-  assign \$19  = \$18  << \$11 [6:0];
-  assign \$20  = { 63'h0000000000000000, \$17  } | \$19 ;
-  assign \$21  = put ? 6'h30 : 6'h00;
-  assign \$22  = \$11 [6:0] + \$21 ;
-  assign \$23  = beats_out + 1'h1;
-  assign \$24  = \$signal$10  ? 17'h00000 : \$23 ;
   always @(posedge clk)
-    buffer <= \$25 ;
+    \$signal  <= \$22 ;
   always @(posedge clk)
-    level <= \$26 ;
+    buffer <= \$23 ;
   always @(posedge clk)
-    \$signal  <= \$27 ;
+    level <= \$24 ;
   always @(posedge clk)
-    image_last <= \$28 ;
+    \$signal$11  <= \$25 ;
   always @(posedge clk)
-    beats_out <= \$29 ;
+    image_last <= \$26 ;
+  always @(posedge clk)
+    beats_out <= \$27 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$25  = \$20 [111:0];
+    \$22  = \$1 [15:0];
     if (soft_reset) begin
-      \$25  = 112'h0000000000000000000000000000;
+      \$22  = 16'h0000;
     end
     if (rst) begin
-      \$25  = 112'h0000000000000000000000000000;
+      \$22  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$26  = \$22 [6:0];
+    \$23  = \$7 [111:0];
     if (soft_reset) begin
-      \$26  = 7'h00;
+      \$23  = 112'h0000000000000000000000000000;
     end
     if (rst) begin
-      \$26  = 7'h00;
+      \$23  = 112'h0000000000000000000000000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$27  = \$signal ;
+    \$24  = \$9 [6:0];
+    if (soft_reset) begin
+      \$24  = 7'h00;
+    end
+    if (rst) begin
+      \$24  = 7'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
+    \$25  = \$signal$11 ;
     if (put) begin
-      \$27  = i__payload[48];
-    end else if (\$signal$10 ) begin
-      \$27  = 1'h0;
+      \$25  = i__payload[48];
+    end else if (\$signal$5 ) begin
+      \$25  = 1'h0;
     end
     if (soft_reset) begin
-      \$27  = 1'h0;
+      \$25  = 1'h0;
     end
     if (rst) begin
-      \$27  = 1'h0;
+      \$25  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$28  = image_last;
+    \$26  = image_last;
     if (put) begin
-      \$28  = i__payload[49];
+      \$26  = i__payload[49];
     end
     if (soft_reset) begin
-      \$28  = 1'h0;
+      \$26  = 1'h0;
     end
     if (rst) begin
-      \$28  = 1'h0;
+      \$26  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$29  = beats_out;
-    if (\$signal$8 ) begin
-      \$29  = \$24 [15:0];
+    \$27  = beats_out;
+    if (\$signal$6 ) begin
+      \$27  = \$11 [15:0];
     end
     if (soft_reset) begin
-      \$29  = 16'h0000;
+      \$27  = 16'h0000;
     end
     if (rst) begin
-      \$29  = 16'h0000;
+      \$27  = 16'h0000;
     end
   end
-  assign level_after = \$11 [6:0];
-  assign \o__payload.data  = o__payload[63:0];
-  assign \o__payload.last  = o__payload[64];
+  assign level_after = \$18 [6:0];
   assign \i__payload.data  = i__payload[47:0];
   assign \i__payload.pixel_last  = i__payload[48];
   assign \i__payload.last  = i__payload[49];
-  assign o__payload[64] = \$3 ;
+  assign \o__payload.data  = o__payload[63:0];
+  assign \o__payload.last  = o__payload[64];
+  assign o__payload[64] = \$12 ;
   assign o__payload[63:0] = buffer[63:0];
-  assign \$15  = { 64'h0000000000000000, buffer[111:64] };
+  assign \$2  = { 64'h0000000000000000, buffer[111:64] };
 endmodule
 
 module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, shape, clk);
@@ -7479,44 +7489,46 @@ module \macram_top.array.frame (i__valid, rst, start, o__valid, i__ready, fault,
   assign \shape.beats_out  = shape[132:117];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1096$63 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1094$63 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
-  wire \$1 ;
-  wire \$10 ;
-  wire \$11 ;
-  wire [111:0] \$12 ;
-  wire [111:0] \$13 ;
-  wire [111:0] \$14 ;
-  wire [63:0] \$15 ;
-  wire [190:0] \$16 ;
-  wire [190:0] \$17 ;
-  wire [6:0] \$18 ;
+  wire [16:0] \$1 ;
+  wire [16:0] \$10 ;
+  wire [16:0] \$11 ;
+  wire [16:0] \$12 ;
+  wire \$13 ;
+  wire \$14 ;
+  wire \$15 ;
+  wire \$16 ;
+  wire [7:0] \$17 ;
+  wire [7:0] \$18 ;
   wire [7:0] \$19 ;
-  wire \$2 ;
-  wire [16:0] \$20 ;
-  wire [16:0] \$21 ;
-  wire [16:0] \$22 ;
-  reg [111:0] \$23 ;
-  reg [6:0] \$24 ;
-  reg [15:0] \$25 ;
+  wire [111:0] \$2 ;
+  wire [7:0] \$20 ;
+  wire \$21 ;
+  wire \$22 ;
+  reg [15:0] \$23 ;
+  reg [111:0] \$24 ;
+  reg [6:0] \$25 ;
   reg [15:0] \$26 ;
-  wire [16:0] \$3 ;
-  wire \$4 ;
-  wire \$5 ;
-  wire [7:0] \$6 ;
-  wire [7:0] \$7 ;
-  wire [7:0] \$8 ;
+  reg [15:0] \$27 ;
+  wire [111:0] \$3 ;
+  wire [111:0] \$4 ;
+  wire [63:0] \$5 ;
+  wire [190:0] \$6 ;
+  wire [190:0] \$7 ;
+  wire [6:0] \$8 ;
   wire [7:0] \$9 ;
   wire [6:0] \$like ;
-  reg [15:0] \$signal  = 16'h0000;
+  wire \$signal ;
+  reg [15:0] \$signal$11  = 16'h0000;
   wire \$signal$6 ;
-  wire \$signal$8 ;
   wire [15:0] beats_after;
   input [15:0] beats_per_pixel;
   wire [15:0] beats_per_pixel;
   reg [111:0] buffer = 112'h0000000000000000000000000000;
   input clk;
   wire clk;
+  reg [15:0] final_word = 16'h0000;
   input [63:0] i__payload;
   wire [63:0] i__payload;
   output i__ready;
@@ -7530,8 +7542,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1096$63 ;
-  wire [13:0] \port$1096$63 ;
+  input [13:0] \port$1094$63 ;
+  wire [13:0] \port$1094$63 ;
   wire put;
   input rst;
   wire rst;
@@ -7539,88 +7551,100 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire soft_reset;
   reg [15:0] words_out = 16'h0000;
   wire [15:0] words_per_pixel;
-  assign \$1  = level >= 6'h30;
-  assign \$2  = \$signal  == beats_per_pixel;
-  assign o__valid = \$1  | \$2 ;
+  assign \$1  = \port$1094$63  - 1'h1;
+  assign \$3  = \$signal$6  ? \$2  : buffer;
+  assign \$4  = \$signal  ? 112'h0000000000000000000000000000 : \$3 ;
+  assign \$5  = put ? i__payload : 64'h0000000000000000;
+  assign \$6  = \$5  << \$20 [6:0];
+  assign \$7  = { 79'h00000000000000000000, \$4  } | \$6 ;
+  assign \$8  = put ? 7'h40 : 7'h00;
+  assign \$9  = \$20 [6:0] + \$8 ;
+  assign \$10  = beats_after + put;
+  assign \$11  = words_out + 1'h1;
+  assign \$12  = \$signal  ? 17'h00000 : \$11 ;
+  assign \$13  = level >= 6'h30;
+  assign \$14  = \$signal$11  == beats_per_pixel;
+  assign o__valid = \$13  | \$14 ;
   assign \$signal$6  = o__valid & o__ready;
-  assign \$3  = words_out + 1'h1;
-  assign \$4  = \$3  == \port$1096$63 ;
-  assign \$signal$8  = \$signal$6  & \$4 ;
-  assign beats_after = \$signal$8  ? 16'h0000 : \$signal ;
-  assign \$5  = level >= 6'h30;
-  assign \$6  = level - 6'h30;
-  assign \$7  = \$5  ? \$6  : 8'h00;
-  assign \$8  = \$signal$6  ? \$7  : { 1'h0, level };
-  assign \$9  = \$signal$8  ? 8'h00 : \$8 ;
-  assign \$10  = beats_after != beats_per_pixel;
-  assign \$11  = \$9 [6:0] <= 6'h30;
-  assign i__ready = \$10  & \$11 ;
+  assign \$15  = words_out == final_word;
+  assign \$signal  = \$signal$6  & \$15 ;
+  assign beats_after = \$signal  ? 16'h0000 : \$signal$11 ;
+  assign \$16  = level >= 6'h30;
+  assign \$17  = level - 6'h30;
+  assign \$18  = \$16  ? \$17  : 8'h00;
+  assign \$19  = \$signal$6  ? \$18  : { 1'h0, level };
+  assign \$20  = \$signal  ? 8'h00 : \$19 ;
+  assign \$21  = beats_after != beats_per_pixel;
+  assign \$22  = \$20 [6:0] <= 6'h30;
+  assign i__ready = \$21  & \$22 ;
   assign put = i__valid & i__ready;
-  assign \$13  = \$signal$6  ? \$12  : buffer;
-  assign \$14  = \$signal$8  ? 112'h0000000000000000000000000000 : \$13 ;
-  assign \$15  = put ? i__payload : 64'h0000000000000000;
-  assign \$16  = \$15  << \$9 [6:0];
-  assign \$17  = { 79'h00000000000000000000, \$14  } | \$16 ;
-  assign \$18  = put ? 7'h40 : 7'h00;
-  assign \$19  = \$9 [6:0] + \$18 ;
-  assign \$20  = beats_after + put;
-  assign \$21  = words_out + 1'h1;
-  assign \$22  = \$signal$8  ? 17'h00000 : \$21 ;
   always @(posedge clk)
-    buffer <= \$23 ;
+    final_word <= \$23 ;
   always @(posedge clk)
-    level <= \$24 ;
+    buffer <= \$24 ;
   always @(posedge clk)
-    \$signal  <= \$25 ;
+    level <= \$25 ;
   always @(posedge clk)
-    words_out <= \$26 ;
+    \$signal$11  <= \$26 ;
+  always @(posedge clk)
+    words_out <= \$27 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$23  = \$17 [111:0];
+    \$23  = \$1 [15:0];
     if (soft_reset) begin
-      \$23  = 112'h0000000000000000000000000000;
+      \$23  = 16'h0000;
     end
     if (rst) begin
-      \$23  = 112'h0000000000000000000000000000;
+      \$23  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$24  = \$19 [6:0];
+    \$24  = \$7 [111:0];
     if (soft_reset) begin
-      \$24  = 7'h00;
+      \$24  = 112'h0000000000000000000000000000;
     end
     if (rst) begin
-      \$24  = 7'h00;
+      \$24  = 112'h0000000000000000000000000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$25  = \$20 [15:0];
+    \$25  = \$9 [6:0];
     if (soft_reset) begin
-      \$25  = 16'h0000;
+      \$25  = 7'h00;
     end
     if (rst) begin
-      \$25  = 16'h0000;
+      \$25  = 7'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$26  = words_out;
+    \$26  = \$10 [15:0];
+    if (soft_reset) begin
+      \$26  = 16'h0000;
+    end
+    if (rst) begin
+      \$26  = 16'h0000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
+    \$27  = words_out;
     if (\$signal$6 ) begin
-      \$26  = \$22 [15:0];
+      \$27  = \$12 [15:0];
     end
     if (soft_reset) begin
-      \$26  = 16'h0000;
+      \$27  = 16'h0000;
     end
     if (rst) begin
-      \$26  = 16'h0000;
+      \$27  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1096$63  };
-  assign \$like  = \$9 [6:0];
+  assign words_per_pixel = { 2'h0, \port$1094$63  };
+  assign \$like  = \$20 [6:0];
   assign o__payload = buffer[47:0];
-  assign \$12  = { 48'h000000000000, buffer[111:48] };
+  assign \$2  = { 48'h000000000000, buffer[111:48] };
 endmodule
 
 module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_reset, shape, i__payload, group_written, image_written, word, read, clk);
@@ -7981,7 +8005,7 @@ module \macram_top.array.lines (rst, start, i__valid, i__ready, retire, soft_res
   assign \read.mask  = read[14:11];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, start_weights, start_requant, \port$1305$0 , \port$1307$0 , \port$1309$0 , i__ready, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, start_weights, start_requant, \port$1307$0 , \port$1309$0 , \port$1311$0 , i__ready, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
@@ -8047,13 +8071,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 9'h000 *)
-  output [8:0] \port$1305$0 ;
-  wire [8:0] \port$1305$0 ;
+  output [8:0] \port$1307$0 ;
+  wire [8:0] \port$1307$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1307$0 ;
-  wire [7:0] \port$1307$0 ;
-  output [535:0] \port$1309$0 ;
-  wire [535:0] \port$1309$0 ;
+  output [7:0] \port$1309$0 ;
+  wire [7:0] \port$1309$0 ;
+  output [535:0] \port$1311$0 ;
+  wire [535:0] \port$1311$0 ;
   wire [543:0] requant;
   wire [7:0] \requant.addr ;
   wire [535:0] \requant.data ;
@@ -8251,9 +8275,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[519:448], \$25  };
   assign requant = { shifter[535:0], \$27  };
-  assign \port$1305$0  = \$25 ;
-  assign \port$1307$0  = \$27 ;
-  assign \port$1309$0  = shifter[535:0];
+  assign \port$1307$0  = \$25 ;
+  assign \port$1309$0  = \$27 ;
+  assign \port$1311$0  = shifter[535:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$25 ;
@@ -16854,7 +16878,7 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, axi__rvalid, axi__rdata, axi__rresp, \port$1059$0 , \port$1061$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, clk);
+, c_out, mode, param_words, axi__rvalid, axi__rdata, axi__rresp, \port$1057$0 , \port$1059$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -16965,10 +16989,10 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   wire [31:0] output_stalls;
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
-  input [2:0] \port$1059$0 ;
-  wire [2:0] \port$1059$0 ;
-  input \port$1061$0 ;
-  wire \port$1061$0 ;
+  input [2:0] \port$1057$0 ;
+  wire [2:0] \port$1057$0 ;
+  input \port$1059$0 ;
+  wire \port$1059$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
   wire [31:0] row_words;
@@ -17423,9 +17447,9 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h02:
             \$35  = 32'd0;
         5'h03:
-            \$35  = { 29'h00000000, \port$2$0 , \port$1061$0 , busy };
+            \$35  = { 29'h00000000, \port$2$0 , \port$1059$0 , busy };
         5'h04:
-            \$35  = { 29'h00000000, \port$1059$0  };
+            \$35  = { 29'h00000000, \port$1057$0  };
         5'h05:
             \$35  = height;
         5'h06:
@@ -17526,8 +17550,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       \$36  = 2'h0;
     end
   end
-  assign status = { 29'h00000000, \port$2$0 , \port$1061$0 , busy };
-  assign error = { 29'h00000000, \port$1059$0  };
+  assign status = { 29'h00000000, \port$2$0 , \port$1059$0 , busy };
+  assign error = { 29'h00000000, \port$1057$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
   assign weight_depth = 32'd512;
