@@ -96,7 +96,7 @@ def parser() -> argparse.ArgumentParser:
     _demo(verb)
     _layers(verb)
     _hardware(verb)
-    synth_verb.add_parsers(verb, SEED)
+    synth_verb.add_parsers(verb)
     data_verb.add_data(verb)
     counts_verb.add_parser(verb)
     train_verb.add_train(verb)

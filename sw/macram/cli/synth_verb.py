@@ -29,7 +29,7 @@ example: macram bitstream configs/ecp5-85k.toml -o build/bitstream
 """
 
 
-def add_parsers(verb: Callable[[str, str, str, str], argparse.ArgumentParser], seed: int) -> None:
+def add_parsers(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
     """The grammar of both verbs."""
     synth_parser = verb(
         "synth",
@@ -59,7 +59,9 @@ def add_parsers(verb: Callable[[str, str, str, str], argparse.ArgumentParser], s
     bitstream_parser.add_argument(
         "--mhz", type=int, default=100, help="array clock, a multiple of 4 (default: 100)"
     )
-    bitstream_parser.add_argument("--seed", type=int, default=seed, help=f"default: {seed}")
+    bitstream_parser.add_argument(
+        "--seed", type=int, default=1, help="of the self-test's layer and of nextpnr (default: 1)"
+    )
     _out(bitstream_parser, "build/bitstream")
     _timeout(bitstream_parser, 7200)
 
