@@ -22,7 +22,7 @@ examples:
 """
 BITSTREAM_EPILOG = """\
 The array is built into a self-test: image beats from a generator, weights in the bitstream, output into a CRC that
-the golden model has foretold, cycle counter compared. Lamps of the board: D5 pass, then fail, blink, PLL locked.
+the golden model has foretold, cycle counter compared. Lamps from pin A13 on: pass, fail, blink, PLL locked.
 
 files in DIR: macram.bit, bitstream.json, bitstream.md, and every script, netlist and log on the way
 example: macram bitstream configs/ecp5-85k.toml -o build/bitstream
