@@ -186,7 +186,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .\o__ready$8 (m_axis_tready),
     .\o__valid$7 (m_axis_tvalid),
     .output_stalls(output_stalls),
-    .\port$1212$0 (command),
+    .\port$1210$0 (command),
     .requant_base(requant_base),
     .rst(rst),
     .weight_base(weight_base),
@@ -227,8 +227,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .output_stalls(output_stalls),
     .param_base(param_base),
     .param_words(words),
-    .\port$1266$0 (done),
-    .\port$1272$0 (error),
+    .\port$1264$0 (done),
+    .\port$1270$0 (error),
     .\port$2$0 (\$1 ),
     .requant_base(requant_base),
     .rst(rst),
@@ -303,7 +303,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy, \i__ready$55 , \o__valid$7 , \i__payload$53 , \i__payload$74 , \port$1212$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$638 
+module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy, \i__ready$55 , \o__valid$7 , \i__payload$53 , \i__payload$74 , \port$1210$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$638 
 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$9 , loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
@@ -1825,8 +1825,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire \params__payload.last ;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1212$0 ;
-  wire [3:0] \port$1212$0 ;
+  input [3:0] \port$1210$0 ;
+  wire [3:0] \port$1210$0 ;
   wire [14:0] read;
   wire [7:0] \read.address ;
   wire \read.bank ;
@@ -2334,8 +2334,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \$25  = first_beat | \$signal$631 ;
   assign \$26  = ~ ended;
   assign \$signal$630  = \$25  & \$26 ;
-  assign \$27  = \port$1212$0 [2:0] - 1'h1;
-  assign \$28  = { 1'h0, \port$1212$0 [2:0] } & \$27 ;
+  assign \$27  = \port$1210$0 [2:0] - 1'h1;
+  assign \$28  = { 1'h0, \port$1210$0 [2:0] } & \$27 ;
   assign \$29  = | \$28 ;
   assign \$30  = | \wait ;
   assign \$31  = \wait  - 1'h1;
@@ -2408,7 +2408,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign last_beat = \$2  & \$4 ;
   assign \$5  = | \wait ;
   assign busy = running | \$5 ;
-  assign \$signal  = loading ? to_requant : \port$1212$0 [2];
+  assign \$signal  = loading ? to_requant : \port$1210$0 [2];
   assign load_end = base + words;
   assign \$6  = \$signal  ? 11'h100 : 11'h400;
   assign \$signal$39  = load_end > \$6 ;
@@ -2417,12 +2417,12 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \$9  = \$signal  ? requant_base : weight_base;
   assign \$10  = load_end > \$9 ;
   assign overlaps = \$8  & \$10 ;
-  assign \$signal$43  = | \port$1212$0 [2:0];
+  assign \$signal$43  = | \port$1210$0 [2:0];
   assign \$11  = ~ busy;
   assign \$12  = ~ loading;
   assign idle = \$11  & \$12 ;
-  assign \$13  = \port$1212$0 [2:0] - 1'h1;
-  assign \$14  = { 1'h0, \port$1212$0 [2:0] } & \$13 ;
+  assign \$13  = \port$1210$0 [2:0] - 1'h1;
+  assign \$14  = { 1'h0, \port$1210$0 [2:0] } & \$13 ;
   assign \$15  = | \$14 ;
   assign \$16  = ! words;
   assign \$17  = \$16  | \$signal$39 ;
@@ -2440,7 +2440,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .requant_end(requant_end),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1212$0 [3]),
+    .soft_reset(\port$1210$0 [3]),
     .weight_base(weight_base),
     .weight_end(weight_end),
     .width(width)
@@ -2460,7 +2460,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1212$0 [3]),
+    .soft_reset(\port$1210$0 [3]),
     .start(start),
     .valid(i__valid)
   );
@@ -2474,7 +2474,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .o__ready(\o__ready$8 ),
     .o__valid(\o__valid$7 ),
     .rst(rst),
-    .soft_reset(\port$1212$0 [3])
+    .soft_reset(\port$1210$0 [3])
   );
   \macram_top.array.frame  frame (
     .beats(shape[147:132]),
@@ -2487,9 +2487,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .o__ready(\o__ready$61 ),
     .o__valid(\i__valid$63 ),
     .open(open),
-    .\port$1307$0 (shape[31:0]),
+    .\port$1305$0 (shape[31:0]),
     .rst(rst),
-    .soft_reset(\port$1212$0 [3]),
+    .soft_reset(\port$1210$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
@@ -2501,9 +2501,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .o__payload(\i__payload$65 ),
     .o__ready(\o__ready$67 ),
     .o__valid(\i__valid$69 ),
-    .\port$1307$79 (shape[92:79]),
+    .\port$1305$79 (shape[92:79]),
     .rst(rst),
-    .soft_reset(\port$1212$0 [3])
+    .soft_reset(\port$1210$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
@@ -2517,7 +2517,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1212$0 [3]),
+    .soft_reset(\port$1210$0 [3]),
     .start(start),
     .word(activations)
   );
@@ -2529,12 +2529,12 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .i__payload(\i__payload$74 ),
     .i__ready(loading),
     .i__valid(\i__valid$78 ),
-    .\port$1559$0 (\$68 ),
-    .\port$1561$0 (\$69 ),
-    .\port$1563$0 (\$70 ),
+    .\port$1561$0 (\$68 ),
+    .\port$1563$0 (\$69 ),
+    .\port$1565$0 (\$70 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1212$0 [3]),
+    .soft_reset(\port$1210$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
     .to_requant(to_requant),
@@ -2553,7 +2553,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1212$0 [3]),
+    .soft_reset(\port$1210$0 [3]),
     .start(start),
     .starved(starved),
     .\step$45 (step),
@@ -3392,7 +3392,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     \$signal$45  = 3'h0;
     if (\$15 ) begin
       \$signal$45  = 3'h5;
-    end else if (\port$1212$0 [0]) begin
+    end else if (\port$1210$0 [0]) begin
       if (busy) begin
         \$signal$45  = 3'h5;
       end
@@ -3408,13 +3408,13 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_weights = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1212$0 [0]) begin
+    end else if (\port$1210$0 [0]) begin
     end else if (\$signal$43 ) begin
       (* full_case = 32'd1 *)
       if (loading) begin
       end else if (\$19 ) begin
       end else begin
-        start_weights = \port$1212$0 [1];
+        start_weights = \port$1210$0 [1];
       end
     end
   end
@@ -3422,13 +3422,13 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_requant = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1212$0 [0]) begin
+    end else if (\port$1210$0 [0]) begin
     end else if (\$signal$43 ) begin
       (* full_case = 32'd1 *)
       if (loading) begin
       end else if (\$19 ) begin
       end else begin
-        start_requant = \port$1212$0 [2];
+        start_requant = \port$1210$0 [2];
       end
     end
   end
@@ -3459,7 +3459,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     end else if (last_beat0) begin
       \$49  = 1'h1;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$49  = 1'h0;
     end
     if (rst) begin
@@ -3470,7 +3470,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$50  = \wait ;
     if (\$29 ) begin
-    end else if (\port$1212$0 [0]) begin
+    end else if (\port$1210$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
@@ -3480,7 +3480,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$30 ) begin
       \$50  = \$31 [1:0];
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$50  = 2'h0;
     end
     if (rst) begin
@@ -3491,7 +3491,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$51  = done;
     if (\$29 ) begin
-    end else if (\port$1212$0 [0]) begin
+    end else if (\port$1210$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
@@ -3504,7 +3504,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$36 ) begin
       \$51  = 1'h0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$51  = 1'h0;
     end
     if (rst) begin
@@ -3520,7 +3520,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$35 ) begin
       \$52  = 1'h0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$52  = 1'h0;
     end
     if (rst) begin
@@ -3536,7 +3536,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$35 ) begin
       \$53  = 1'h0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$53  = 1'h0;
     end
     if (rst) begin
@@ -3559,7 +3559,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
         \$54  = \error$642 ;
       end
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$54  = 3'h0;
     end
     if (rst) begin
@@ -3569,7 +3569,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$55  = step[32:25];
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$55  = 8'h00;
     end
     if (rst) begin
@@ -3579,7 +3579,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$56  = control0;
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$56  = 8'h00;
     end
     if (rst) begin
@@ -3589,7 +3589,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$57  = control1;
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$57  = 8'h00;
     end
     if (rst) begin
@@ -3599,7 +3599,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$58  = control;
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$58  = 8'h00;
     end
     if (rst) begin
@@ -3615,7 +3615,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$59  = 1'h0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$59  = 1'h0;
     end
     if (rst) begin
@@ -3631,7 +3631,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$60  = 1'h0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$60  = 1'h0;
     end
     if (rst) begin
@@ -3647,7 +3647,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$61  = 1'h0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$61  = 1'h0;
     end
     if (rst) begin
@@ -3663,7 +3663,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$62  = 32'd0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$62  = 32'd0;
     end
     if (rst) begin
@@ -3681,7 +3681,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$63  = 32'd0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$63  = 32'd0;
     end
     if (rst) begin
@@ -3700,7 +3700,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$64  = 32'd0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$64  = 32'd0;
     end
     if (rst) begin
@@ -3720,7 +3720,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$65  = 32'd0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$65  = 32'd0;
     end
     if (rst) begin
@@ -3741,7 +3741,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$66  = 32'd0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$66  = 32'd0;
     end
     if (rst) begin
@@ -3764,7 +3764,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$67  = 32'd0;
     end
-    if (\port$1212$0 [3]) begin
+    if (\port$1210$0 [3]) begin
       \$67  = 32'd0;
     end
     if (rst) begin
@@ -3784,7 +3784,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \words$27  = words;
   assign param_base = base;
   assign \busy$34  = loading;
-  assign command = \port$1212$0 [2:0];
+  assign command = \port$1210$0 [2:0];
   assign \shape$52  = shape;
   assign \i__payload$54  = \i__payload$53 ;
   assign \i__ready$56  = \i__ready$55 ;
@@ -4273,7 +4273,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \activations$626  = activations;
   assign \control$627  = control;
   assign \shift$628  = shift;
-  assign soft_reset = \port$1212$0 [3];
+  assign soft_reset = \port$1210$0 [3];
   assign \i__payload.data  = i__payload[47:0];
   assign \i__payload.pixel_last  = i__payload[48];
   assign \i__payload.last  = i__payload[49];
@@ -7717,37 +7717,36 @@ endmodule
 module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, beats_per_pixel, i__payload, i__valid, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$5  = 0;
   wire [16:0] \$1 ;
-  wire [7:0] \$10 ;
-  wire [7:0] \$11 ;
+  wire [16:0] \$10 ;
+  wire [16:0] \$11 ;
   wire \$12 ;
   wire \$13 ;
   wire \$14 ;
-  wire [111:0] \$15 ;
-  wire [111:0] \$16 ;
-  wire [111:0] \$17 ;
-  wire [47:0] \$18 ;
-  wire [174:0] \$19 ;
-  wire \$2 ;
-  wire [174:0] \$20 ;
-  wire [5:0] \$21 ;
-  wire [7:0] \$22 ;
-  wire [16:0] \$23 ;
-  wire [16:0] \$24 ;
-  reg [111:0] \$25 ;
-  reg [6:0] \$26 ;
-  reg \$27 ;
-  reg \$28 ;
-  reg [15:0] \$29 ;
-  wire \$3 ;
-  wire \$4 ;
-  wire [16:0] \$5 ;
-  wire \$6 ;
-  wire \$7 ;
-  wire [7:0] \$8 ;
+  wire [7:0] \$15 ;
+  wire [7:0] \$16 ;
+  wire [7:0] \$17 ;
+  wire [7:0] \$18 ;
+  wire \$19 ;
+  wire [111:0] \$2 ;
+  wire \$20 ;
+  wire \$21 ;
+  reg [15:0] \$22 ;
+  reg [111:0] \$23 ;
+  reg [6:0] \$24 ;
+  reg \$25 ;
+  reg \$26 ;
+  reg [15:0] \$27 ;
+  wire [111:0] \$3 ;
+  wire [111:0] \$4 ;
+  wire [47:0] \$5 ;
+  wire [174:0] \$6 ;
+  wire [174:0] \$7 ;
+  wire [5:0] \$8 ;
   wire [7:0] \$9 ;
-  reg \$signal  = 1'h0;
-  wire \$signal$10 ;
-  wire \$signal$8 ;
+  reg [15:0] \$signal  = 16'h0000;
+  reg \$signal$11  = 1'h0;
+  wire \$signal$5 ;
+  wire \$signal$6 ;
   reg [15:0] beats_out = 16'h0000;
   input [15:0] beats_per_pixel;
   wire [15:0] beats_per_pixel;
@@ -7764,6 +7763,7 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   input i__valid;
   wire i__valid;
   reg image_last = 1'h0;
+  wire last_beat;
   reg [6:0] level = 7'h00;
   wire [6:0] level_after;
   output [64:0] o__payload;
@@ -7779,117 +7779,127 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   wire rst;
   input soft_reset;
   wire soft_reset;
-  assign \$1  = beats_out + 1'h1;
-  assign \$2  = \$1  == beats_per_pixel;
-  assign \$3  = \$2  & image_last;
-  assign \$4  = level >= 7'h40;
-  assign o__valid = \$4  | \$signal ;
-  assign \$signal$8  = o__valid & o__ready;
-  assign \$5  = beats_out + 1'h1;
-  assign \$6  = \$5  == beats_per_pixel;
-  assign \$signal$10  = \$signal$8  & \$6 ;
-  assign \$7  = level >= 7'h40;
-  assign \$8  = level - 7'h40;
-  assign \$9  = \$7  ? \$8  : 8'h00;
-  assign \$10  = \$signal$8  ? \$9  : { 1'h0, level };
-  assign \$11  = \$signal$10  ? 8'h00 : \$10 ;
-  assign \$12  = ~ \$signal ;
-  assign \$13  = \$12  | \$signal$10 ;
-  assign \$14  = \$11 [6:0] <= 7'h40;
-  assign i__ready = \$13  & \$14 ;
+  assign \$1  = beats_per_pixel - 1'h1;
+  assign \$3  = \$signal$6  ? \$2  : buffer;
+  assign \$4  = \$signal$5  ? 112'h0000000000000000000000000000 : \$3 ;
+  assign \$5  = put ? i__payload[47:0] : 48'h000000000000;
+  assign \$6  = \$5  << \$18 [6:0];
+  assign \$7  = { 63'h0000000000000000, \$4  } | \$6 ;
+  assign \$8  = put ? 6'h30 : 6'h00;
+  assign \$9  = \$18 [6:0] + \$8 ;
+  assign \$10  = beats_out + 1'h1;
+  assign \$11  = \$signal$5  ? 17'h00000 : \$10 ;
+  assign last_beat = beats_out == \$signal ;
+  assign \$12  = last_beat & image_last;
+  assign \$13  = level >= 7'h40;
+  assign o__valid = \$13  | \$signal$11 ;
+  assign \$signal$6  = o__valid & o__ready;
+  assign \$signal$5  = \$signal$6  & last_beat;
+  assign \$14  = level >= 7'h40;
+  assign \$15  = level - 7'h40;
+  assign \$16  = \$14  ? \$15  : 8'h00;
+  assign \$17  = \$signal$6  ? \$16  : { 1'h0, level };
+  assign \$18  = \$signal$5  ? 8'h00 : \$17 ;
+  assign \$19  = ~ \$signal$11 ;
+  assign \$20  = \$19  | \$signal$5 ;
+  assign \$21  = \$18 [6:0] <= 7'h40;
+  assign i__ready = \$20  & \$21 ;
   assign put = i__valid & i__ready;
-  assign \$16  = \$signal$8  ? \$15  : buffer;
-  assign \$17  = \$signal$10  ? 112'h0000000000000000000000000000 : \$16 ;
-  assign \$18  = put ? i__payload[47:0] : 48'h000000000000;
-  assign \$19  = \$18  << \$11 [6:0];
-  assign \$20  = { 63'h0000000000000000, \$17  } | \$19 ;
-  assign \$21  = put ? 6'h30 : 6'h00;
-  assign \$22  = \$11 [6:0] + \$21 ;
-  assign \$23  = beats_out + 1'h1;
-  assign \$24  = \$signal$10  ? 17'h00000 : \$23 ;
   always @(posedge clk)
-    buffer <= \$25 ;
+    \$signal  <= \$22 ;
   always @(posedge clk)
-    level <= \$26 ;
+    buffer <= \$23 ;
   always @(posedge clk)
-    \$signal  <= \$27 ;
+    level <= \$24 ;
   always @(posedge clk)
-    image_last <= \$28 ;
+    \$signal$11  <= \$25 ;
   always @(posedge clk)
-    beats_out <= \$29 ;
+    image_last <= \$26 ;
+  always @(posedge clk)
+    beats_out <= \$27 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$25  = \$20 [111:0];
+    \$22  = \$1 [15:0];
     if (soft_reset) begin
-      \$25  = 112'h0000000000000000000000000000;
+      \$22  = 16'h0000;
     end
     if (rst) begin
-      \$25  = 112'h0000000000000000000000000000;
+      \$22  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$26  = \$22 [6:0];
+    \$23  = \$7 [111:0];
     if (soft_reset) begin
-      \$26  = 7'h00;
+      \$23  = 112'h0000000000000000000000000000;
     end
     if (rst) begin
-      \$26  = 7'h00;
+      \$23  = 112'h0000000000000000000000000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$27  = \$signal ;
+    \$24  = \$9 [6:0];
+    if (soft_reset) begin
+      \$24  = 7'h00;
+    end
+    if (rst) begin
+      \$24  = 7'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
+    \$25  = \$signal$11 ;
     if (put) begin
-      \$27  = i__payload[48];
-    end else if (\$signal$10 ) begin
-      \$27  = 1'h0;
+      \$25  = i__payload[48];
+    end else if (\$signal$5 ) begin
+      \$25  = 1'h0;
     end
     if (soft_reset) begin
-      \$27  = 1'h0;
+      \$25  = 1'h0;
     end
     if (rst) begin
-      \$27  = 1'h0;
+      \$25  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$28  = image_last;
+    \$26  = image_last;
     if (put) begin
-      \$28  = i__payload[49];
+      \$26  = i__payload[49];
     end
     if (soft_reset) begin
-      \$28  = 1'h0;
+      \$26  = 1'h0;
     end
     if (rst) begin
-      \$28  = 1'h0;
+      \$26  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$5 ) begin end
-    \$29  = beats_out;
-    if (\$signal$8 ) begin
-      \$29  = \$24 [15:0];
+    \$27  = beats_out;
+    if (\$signal$6 ) begin
+      \$27  = \$11 [15:0];
     end
     if (soft_reset) begin
-      \$29  = 16'h0000;
+      \$27  = 16'h0000;
     end
     if (rst) begin
-      \$29  = 16'h0000;
+      \$27  = 16'h0000;
     end
   end
-  assign level_after = \$11 [6:0];
-  assign \o__payload.data  = o__payload[63:0];
-  assign \o__payload.last  = o__payload[64];
+  assign level_after = \$18 [6:0];
   assign \i__payload.data  = i__payload[47:0];
   assign \i__payload.pixel_last  = i__payload[48];
   assign \i__payload.last  = i__payload[49];
-  assign o__payload[64] = \$3 ;
+  assign \o__payload.data  = o__payload[63:0];
+  assign \o__payload.last  = o__payload[64];
+  assign o__payload[64] = \$12 ;
   assign o__payload[63:0] = buffer[63:0];
-  assign \$15  = { 64'h0000000000000000, buffer[111:64] };
+  assign \$2  = { 64'h0000000000000000, buffer[111:64] };
 endmodule
 
-module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1307$0 , beats, open, clk);
+module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1305$0 , beats, open, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$6  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -7944,8 +7954,8 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   wire o__valid;
   output open;
   reg open = 1'h0;
-  input [31:0] \port$1307$0 ;
-  wire [31:0] \port$1307$0 ;
+  input [31:0] \port$1305$0 ;
+  wire [31:0] \port$1305$0 ;
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
@@ -7960,10 +7970,10 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   assign \$1  = \$signal$9  + 1'h1;
   assign \$signal$8  = \$1  == beats;
   assign \$2  = \$signal$12  + 1'h1;
-  assign \$3  = \$2  == \port$1307$0 [31:16];
+  assign \$3  = \$2  == \port$1305$0 [31:16];
   assign \$signal$11  = \$signal$8  & \$3 ;
   assign \$4  = row + 1'h1;
-  assign \$5  = \$4  == \port$1307$0 [15:0];
+  assign \$5  = \$4  == \port$1305$0 [15:0];
   assign \$signal$14  = \$signal$11  & \$5 ;
   assign \$6  = i__payload[64] != \$signal$14 ;
   assign fault = \$signal  & \$6 ;
@@ -8052,50 +8062,52 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
     end
   end
   assign o__payload = i__payload[63:0];
-  assign width = \port$1307$0 [31:16];
-  assign height = \port$1307$0 [15:0];
+  assign width = \port$1305$0 [31:16];
+  assign height = \port$1305$0 [15:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1307$79 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1305$79 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
-  wire \$1 ;
-  wire \$10 ;
-  wire \$11 ;
-  wire [111:0] \$12 ;
-  wire [111:0] \$13 ;
-  wire [111:0] \$14 ;
-  wire [63:0] \$15 ;
-  wire [190:0] \$16 ;
-  wire [190:0] \$17 ;
-  wire [6:0] \$18 ;
+  wire [16:0] \$1 ;
+  wire [16:0] \$10 ;
+  wire [16:0] \$11 ;
+  wire [16:0] \$12 ;
+  wire \$13 ;
+  wire \$14 ;
+  wire \$15 ;
+  wire \$16 ;
+  wire [7:0] \$17 ;
+  wire [7:0] \$18 ;
   wire [7:0] \$19 ;
-  wire \$2 ;
-  wire [16:0] \$20 ;
-  wire [16:0] \$21 ;
-  wire [16:0] \$22 ;
-  reg [111:0] \$23 ;
-  reg [6:0] \$24 ;
-  reg [15:0] \$25 ;
+  wire [111:0] \$2 ;
+  wire [7:0] \$20 ;
+  wire \$21 ;
+  wire \$22 ;
+  reg [15:0] \$23 ;
+  reg [111:0] \$24 ;
+  reg [6:0] \$25 ;
   reg [15:0] \$26 ;
-  wire [16:0] \$3 ;
-  wire \$4 ;
-  wire \$5 ;
-  wire [7:0] \$6 ;
-  wire [7:0] \$7 ;
-  wire [7:0] \$8 ;
+  reg [15:0] \$27 ;
+  wire [111:0] \$3 ;
+  wire [111:0] \$4 ;
+  wire [63:0] \$5 ;
+  wire [190:0] \$6 ;
+  wire [190:0] \$7 ;
+  wire [6:0] \$8 ;
   wire [7:0] \$9 ;
   wire [6:0] \$like ;
-  reg [15:0] \$signal  = 16'h0000;
+  wire \$signal ;
+  reg [15:0] \$signal$11  = 16'h0000;
   wire \$signal$6 ;
-  wire \$signal$8 ;
   wire [15:0] beats_after;
   input [15:0] beats_per_pixel;
   wire [15:0] beats_per_pixel;
   reg [111:0] buffer = 112'h0000000000000000000000000000;
   input clk;
   wire clk;
+  reg [15:0] final_word = 16'h0000;
   input [63:0] i__payload;
   wire [63:0] i__payload;
   output i__ready;
@@ -8109,8 +8121,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1307$79 ;
-  wire [13:0] \port$1307$79 ;
+  input [13:0] \port$1305$79 ;
+  wire [13:0] \port$1305$79 ;
   wire put;
   input rst;
   wire rst;
@@ -8118,88 +8130,100 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire soft_reset;
   reg [15:0] words_out = 16'h0000;
   wire [15:0] words_per_pixel;
-  assign \$1  = level >= 6'h30;
-  assign \$2  = \$signal  == beats_per_pixel;
-  assign o__valid = \$1  | \$2 ;
+  assign \$1  = \port$1305$79  - 1'h1;
+  assign \$3  = \$signal$6  ? \$2  : buffer;
+  assign \$4  = \$signal  ? 112'h0000000000000000000000000000 : \$3 ;
+  assign \$5  = put ? i__payload : 64'h0000000000000000;
+  assign \$6  = \$5  << \$20 [6:0];
+  assign \$7  = { 79'h00000000000000000000, \$4  } | \$6 ;
+  assign \$8  = put ? 7'h40 : 7'h00;
+  assign \$9  = \$20 [6:0] + \$8 ;
+  assign \$10  = beats_after + put;
+  assign \$11  = words_out + 1'h1;
+  assign \$12  = \$signal  ? 17'h00000 : \$11 ;
+  assign \$13  = level >= 6'h30;
+  assign \$14  = \$signal$11  == beats_per_pixel;
+  assign o__valid = \$13  | \$14 ;
   assign \$signal$6  = o__valid & o__ready;
-  assign \$3  = words_out + 1'h1;
-  assign \$4  = \$3  == \port$1307$79 ;
-  assign \$signal$8  = \$signal$6  & \$4 ;
-  assign beats_after = \$signal$8  ? 16'h0000 : \$signal ;
-  assign \$5  = level >= 6'h30;
-  assign \$6  = level - 6'h30;
-  assign \$7  = \$5  ? \$6  : 8'h00;
-  assign \$8  = \$signal$6  ? \$7  : { 1'h0, level };
-  assign \$9  = \$signal$8  ? 8'h00 : \$8 ;
-  assign \$10  = beats_after != beats_per_pixel;
-  assign \$11  = \$9 [6:0] <= 6'h30;
-  assign i__ready = \$10  & \$11 ;
+  assign \$15  = words_out == final_word;
+  assign \$signal  = \$signal$6  & \$15 ;
+  assign beats_after = \$signal  ? 16'h0000 : \$signal$11 ;
+  assign \$16  = level >= 6'h30;
+  assign \$17  = level - 6'h30;
+  assign \$18  = \$16  ? \$17  : 8'h00;
+  assign \$19  = \$signal$6  ? \$18  : { 1'h0, level };
+  assign \$20  = \$signal  ? 8'h00 : \$19 ;
+  assign \$21  = beats_after != beats_per_pixel;
+  assign \$22  = \$20 [6:0] <= 6'h30;
+  assign i__ready = \$21  & \$22 ;
   assign put = i__valid & i__ready;
-  assign \$13  = \$signal$6  ? \$12  : buffer;
-  assign \$14  = \$signal$8  ? 112'h0000000000000000000000000000 : \$13 ;
-  assign \$15  = put ? i__payload : 64'h0000000000000000;
-  assign \$16  = \$15  << \$9 [6:0];
-  assign \$17  = { 79'h00000000000000000000, \$14  } | \$16 ;
-  assign \$18  = put ? 7'h40 : 7'h00;
-  assign \$19  = \$9 [6:0] + \$18 ;
-  assign \$20  = beats_after + put;
-  assign \$21  = words_out + 1'h1;
-  assign \$22  = \$signal$8  ? 17'h00000 : \$21 ;
   always @(posedge clk)
-    buffer <= \$23 ;
+    final_word <= \$23 ;
   always @(posedge clk)
-    level <= \$24 ;
+    buffer <= \$24 ;
   always @(posedge clk)
-    \$signal  <= \$25 ;
+    level <= \$25 ;
   always @(posedge clk)
-    words_out <= \$26 ;
+    \$signal$11  <= \$26 ;
+  always @(posedge clk)
+    words_out <= \$27 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$23  = \$17 [111:0];
+    \$23  = \$1 [15:0];
     if (soft_reset) begin
-      \$23  = 112'h0000000000000000000000000000;
+      \$23  = 16'h0000;
     end
     if (rst) begin
-      \$23  = 112'h0000000000000000000000000000;
+      \$23  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$24  = \$19 [6:0];
+    \$24  = \$7 [111:0];
     if (soft_reset) begin
-      \$24  = 7'h00;
+      \$24  = 112'h0000000000000000000000000000;
     end
     if (rst) begin
-      \$24  = 7'h00;
+      \$24  = 112'h0000000000000000000000000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$25  = \$20 [15:0];
+    \$25  = \$9 [6:0];
     if (soft_reset) begin
-      \$25  = 16'h0000;
+      \$25  = 7'h00;
     end
     if (rst) begin
-      \$25  = 16'h0000;
+      \$25  = 7'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
-    \$26  = words_out;
+    \$26  = \$10 [15:0];
+    if (soft_reset) begin
+      \$26  = 16'h0000;
+    end
+    if (rst) begin
+      \$26  = 16'h0000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$7 ) begin end
+    \$27  = words_out;
     if (\$signal$6 ) begin
-      \$26  = \$22 [15:0];
+      \$27  = \$12 [15:0];
     end
     if (soft_reset) begin
-      \$26  = 16'h0000;
+      \$27  = 16'h0000;
     end
     if (rst) begin
-      \$26  = 16'h0000;
+      \$27  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1307$79  };
-  assign \$like  = \$9 [6:0];
+  assign words_per_pixel = { 2'h0, \port$1305$79  };
+  assign \$like  = \$20 [6:0];
   assign o__payload = buffer[47:0];
-  assign \$12  = { 48'h000000000000, buffer[111:48] };
+  assign \$2  = { 48'h000000000000, buffer[111:48] };
 endmodule
 
 module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shape, i__payload, group_written, image_written, word, retire, retire_row, read, clk);
@@ -8618,7 +8642,7 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   assign \read.mask  = read[14:11];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1559$0 , \port$1561$0 , \port$1563$0 , i__ready, to_requant, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1561$0 , \port$1563$0 , \port$1565$0 , i__ready, to_requant, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
@@ -8689,13 +8713,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 10'h000 *)
-  output [9:0] \port$1559$0 ;
-  wire [9:0] \port$1559$0 ;
+  output [9:0] \port$1561$0 ;
+  wire [9:0] \port$1561$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1561$0 ;
-  wire [7:0] \port$1561$0 ;
-  output [671:0] \port$1563$0 ;
-  wire [671:0] \port$1563$0 ;
+  output [7:0] \port$1563$0 ;
+  wire [7:0] \port$1563$0 ;
+  output [671:0] \port$1565$0 ;
+  wire [671:0] \port$1565$0 ;
   wire [679:0] requant;
   wire [7:0] \requant.addr ;
   wire [671:0] \requant.data ;
@@ -8896,9 +8920,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[647:576], \$27  };
   assign requant = { shifter[671:0], \$29  };
-  assign \port$1559$0  = \$27 ;
-  assign \port$1561$0  = \$29 ;
-  assign \port$1563$0  = shifter[671:0];
+  assign \port$1561$0  = \$27 ;
+  assign \port$1563$0  = \$29 ;
+  assign \port$1565$0  = shifter[671:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$27 ;
@@ -17654,7 +17678,7 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1266$0 , \port$1272$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
+, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1264$0 , \port$1270$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -17777,10 +17801,10 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   reg [31:0] param_base = 32'd0;
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
-  input \port$1266$0 ;
-  wire \port$1266$0 ;
-  input [2:0] \port$1272$0 ;
-  wire [2:0] \port$1272$0 ;
+  input \port$1264$0 ;
+  wire \port$1264$0 ;
+  input [2:0] \port$1270$0 ;
+  wire [2:0] \port$1270$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
   output [31:0] requant_base;
@@ -18117,9 +18141,9 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h02:
             \$43  = 32'd0;
         5'h03:
-            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1266$0 , busy };
+            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1264$0 , busy };
         5'h04:
-            \$43  = { 29'h00000000, \port$1272$0  };
+            \$43  = { 29'h00000000, \port$1270$0  };
         5'h05:
             \$43  = height;
         5'h06:
@@ -18748,8 +18772,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       \$35  = 32'd0;
     end
   end
-  assign status = { 28'h0000000, loading, \port$2$0 , \port$1266$0 , busy };
-  assign error = { 29'h00000000, \port$1272$0  };
+  assign status = { 28'h0000000, loading, \port$2$0 , \port$1264$0 , busy };
+  assign error = { 29'h00000000, \port$1270$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
   assign weight_depth = 32'd1024;

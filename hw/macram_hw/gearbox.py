@@ -29,7 +29,7 @@ class IngestGearbox(wiring.Component):
     (one beat and one word) is full.
 
     Members:
-        beats_per_pixel, words_per_pixel: In, constant during a run, at least 1.
+        beats_per_pixel, words_per_pixel: In, constant during a run and a cycle before it, at least 1.
         i: In stream, `Beat`.
         o: Out stream, words.
     """
@@ -52,11 +52,13 @@ class IngestGearbox(wiring.Component):
 
         taken, pixel_done, put = Signal(), Signal(), Signal()
         level_after, beats_after = Signal.like(level), Signal(16)
+        final_word = Signal(16)
+        m.d.sync += final_word.eq(self.words_per_pixel - 1)
         m.d.comb += [
             self.o.payload.eq(buffer[: self._word]),
             self.o.valid.eq((level >= self._word) | (beats_in == self.beats_per_pixel)),
             taken.eq(self.o.valid & self.o.ready),
-            pixel_done.eq(taken & (words_out + 1 == self.words_per_pixel)),
+            pixel_done.eq(taken & (words_out == final_word)),
             beats_after.eq(Mux(pixel_done, 0, beats_in)),
             level_after.eq(
                 Mux(pixel_done, 0, Mux(taken, Mux(level >= self._word, level - self._word, 0), level))
@@ -85,7 +87,7 @@ class EmitGearbox(wiring.Component):
     does not change.
 
     Members:
-        beats_per_pixel: In, constant during a run; bits above them are dropped.
+        beats_per_pixel: In, constant during a run and a cycle before it; bits above them are dropped.
         i: In stream, `PixelWord`.
         o: Out stream, `Beat`.
     """
@@ -108,8 +110,11 @@ class EmitGearbox(wiring.Component):
 
         taken, pixel_done, put = Signal(), Signal(), Signal()
         level_after = Signal.like(level)
-        last_beat = beats_out + 1 == self.beats_per_pixel
+        # Not `beats_out + 1 == beats_per_pixel`: that carry chain is where the array's longest path would begin.
+        final_beat, last_beat = Signal(16), Signal()
+        m.d.sync += final_beat.eq(self.beats_per_pixel - 1)
         m.d.comb += [
+            last_beat.eq(beats_out == final_beat),
             self.o.payload.data.eq(buffer[: self._beat]),
             self.o.payload.last.eq(last_beat & image_last),
             self.o.valid.eq((level >= self._beat) | complete),

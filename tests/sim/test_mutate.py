@@ -58,7 +58,7 @@ def test_the_gateware_has_mutations_in_every_module():
     root = Path(macram_hw.__file__).parent
     for path in root.glob("*.py"):
         if path.name not in mutate.NOT_GATEWARE:
-            assert len(mutations(path.name, path.read_text())) > 10, path.name
+            assert mutations(path.name, path.read_text()), path.name
 
 
 @pytest.fixture

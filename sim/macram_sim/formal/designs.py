@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
-from macram.spec import ENGINE_LATENCY, GROUP, ArrayConfig, IntFormat
+from macram.spec import GROUP, ArrayConfig, IntFormat
 
 DUT = "dut"
 BEAT, WORD = 8, 6
@@ -21,8 +20,6 @@ SMALL = ArrayConfig(
     stream_bits=32, weight=IntFormat(2, signed=True), input=IntFormat(2), output=IntFormat(2),
 )  # fmt: skip
 """The smallest array with several blocks, tiles and groups."""
-ONE_CHANNEL = replace(SMALL, max_c_in=1)
-"""Accumulators sized for nine products; their width follows from formats and fan-in alike at every size."""
 ABSTRACT = """
 // Memories and units with any contents: what holds with them holds whatever is stored and computed.
 module macram_ram #(parameter WIDTH = 1, DEPTH = 1, ADDR_BITS = 1, LANES = 1, INIT_FILE = "") (
@@ -41,11 +38,6 @@ module macram_unit(
     assign chain_o = any;
 endmodule
 """
-
-
-def engine_config(kind: str) -> ArrayConfig:
-    """An array with row engines of this kind."""
-    return ArrayConfig(engine=kind)
 
 
 def _component(make: Callable[[], object], *extra: str) -> dict[str, str]:
@@ -69,27 +61,15 @@ def _emit() -> dict[str, str]:
 
 
 def _frame() -> dict[str, str]:
-    from macram_hw.array import FrameCheck  # noqa: PLC0415
+    from macram_hw.frame import FrameCheck  # noqa: PLC0415
 
-    return _component(lambda: FrameCheck(SMALL))
-
-
-def _loader() -> dict[str, str]:
-    from macram_hw.loader import Loader  # noqa: PLC0415
-
-    return _component(lambda: Loader(SMALL))
+    return _component(lambda: FrameCheck(beat_bits=SMALL.stream_bits))
 
 
 def _registers() -> dict[str, str]:
     from macram_hw.axi_lite import AxiLiteRegisters  # noqa: PLC0415
 
     return _component(AxiLiteRegisters)
-
-
-def _unit() -> dict[str, str]:
-    from macram_hw.unit import UnitCore  # noqa: PLC0415
-
-    return _component(lambda: UnitCore(ONE_CHANNEL), "macram_lutram.v")
 
 
 def _abstract() -> dict[str, str]:
@@ -119,26 +99,21 @@ def _array() -> dict[str, str]:
     return _component(lambda: Array(SMALL)) | _abstract()
 
 
-def _engine(kind: str) -> Callable[[], dict[str, str]]:
-    def export() -> dict[str, str]:
-        from macram_hw.engine import make_engine  # noqa: PLC0415
+def _engine() -> dict[str, str]:
+    from macram_hw.engine import make_engine  # noqa: PLC0415
 
-        models = ("DSP48E2.v",) if kind.startswith("dsp48e2") else ()
-        return _component(lambda: make_engine(kind, engine_config(kind)), *models)
-
-    return export
+    config = ArrayConfig()
+    return _component(lambda: make_engine(config.engine, config))
 
 
 DESIGNS: dict[str, Callable[[], dict[str, str]]] = {
     "ingest gearbox": _ingest,
     "emit gearbox": _emit,
     "frame check": _frame,
-    "loader": _loader,
     "registers": _registers,
-    "unit": _unit,
     "drain": _drain,
     "array": _array,
-    **{f"engine {kind}": _engine(kind) for kind in ENGINE_LATENCY},
+    "engine": _engine,
 }
 """Name -> files of the exported design, the module `DUT` and what it instantiates."""
 

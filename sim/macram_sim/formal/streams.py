@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from macram_sim.formal.designs import BEAT, SMALL, WORD
-from macram_sim.formal.harness import OPENING, packed, slice_of, stable_stream
+from macram_sim.formal.harness import OPENING, stable_stream
 from macram_sim.formal.proof import Break, Proof
 
 _INGEST_PORTS = """
@@ -133,9 +133,6 @@ endmodule
 
 
 def _frame() -> str:
-    from macram_hw.shape import LayerShape  # noqa: PLC0415
-
-    shape = packed(LayerShape(), {"height": "height", "width": "width", "beats_in": "beats"})
     bits = SMALL.stream_bits
     return (
         OPENING
@@ -146,7 +143,8 @@ def _frame() -> str:
     (* anyseq *) wire start; (* anyseq *) wire valid; (* anyseq *) wire ready; (* anyseq *) wire last;
     (* anyseq *) wire [{bits - 1}:0] data;
     wire in_ready, out_valid, fault; wire [{bits - 1}:0] out; wire [2:0] error;
-    dut dut(.clk(clk), .rst(rst), .shape({shape}), .start(start), .i__payload({{last, data}}), .i__valid(valid),
+    dut dut(.clk(clk), .rst(rst), .height(height), .width(width), .beats(beats), .start(start),
+        .i__payload({{last, data}}), .i__valid(valid),
         .i__ready(in_ready), .o__payload(out), .o__valid(out_valid), .o__ready(ready), .fault(fault), .error(error));
     reg [7:0] left = 0;  // beats of the image that are still to pass
     always @(posedge clk) if (!rst) begin
@@ -159,66 +157,6 @@ def _frame() -> str:
         if (fault) assert (error == (last ? 3 : 4));
     end
     always @* assume (!(start && left != 0));  // a START while busy is refused before it gets here
-endmodule
-"""
-    )
-
-
-def _loader() -> str:
-    from macram.spec import ceil_div  # noqa: PLC0415
-    from macram_hw.drain import RequantWrite  # noqa: PLC0415
-    from macram_hw.unit import WeightWrite  # noqa: PLC0415
-
-    bits = SMALL.stream_bits
-    weight, requant = WeightWrite(SMALL), RequantWrite(SMALL)
-    return (
-        OPENING
-        + f"""
-    localparam WEIGHT_BEATS = {ceil_div(SMALL.weight_word_bits, bits)};
-    localparam REQUANT_BEATS = {ceil_div(SMALL.requant_word_bits, bits)};
-    (* anyconst *) reg [31:0] words;
-    (* anyseq *) wire start_weights; (* anyseq *) wire start_requant; (* anyseq *) wire valid; (* anyseq *) wire last;
-    (* anyseq *) wire [{bits - 1}:0] data;
-    wire ready, busy, fault, requant_en; wire [2:0] error; wire [{SMALL.units - 1}:0] unit_en;
-    wire [{weight.size - 1}:0] weight; wire [{requant.size - 1}:0] requant;
-    dut dut(.clk(clk), .rst(rst), .words(words), .start_weights(start_weights), .start_requant(start_requant),
-        .i__payload({{last, data}}), .i__valid(valid), .i__ready(ready), .busy(busy), .fault(fault), .error(error),
-        .unit_en(unit_en), .weight(weight), .requant_en(requant_en), .requant(requant));
-    always @* assume (words >= 1 && words <= 4 && !(start_weights && start_requant));
-    always @* assume (!(busy && (start_weights || start_requant)));
-    reg loads_requant = 0; reg [7:0] beat = 0, word = 0, unit = 0; reg [127:0] now = 0;
-    reg expect_write = 0, expect_requant = 0; reg [7:0] expect_unit, expect_addr; reg [127:0] expect_data;
-    wire [7:0] beats = loads_requant ? REQUANT_BEATS : WEIGHT_BEATS;
-    wire taken = valid && ready, word_ends = beat + 1 == beats, unit_ends = word_ends && word + 1 == words;
-    wire load_ends = unit_ends && (loads_requant || unit == {SMALL.units - 1});
-    wire [127:0] whole = now | ({{96'd0, data}} << (beat * {bits}));
-    always @(posedge clk) if (!rst) begin
-        expect_write <= taken && word_ends && !loads_requant;
-        expect_requant <= taken && word_ends && loads_requant;
-        expect_unit <= unit; expect_addr <= word; expect_data <= whole;
-        if (start_weights || start_requant) begin
-            loads_requant <= start_requant; beat <= 0; word <= 0; unit <= 0; now <= 0;
-        end else if (taken) begin
-            beat <= word_ends ? 0 : beat + 1; now <= word_ends ? 0 : whole;
-            if (word_ends) word <= unit_ends ? 0 : word + 1;
-            if (unit_ends) unit <= unit + 1;
-        end
-        assert (ready == busy);
-        assert (fault == (taken && last != load_ends));
-        if (fault) assert (error == (last ? 3 : 4));
-        // Each word is written once, whole, to its unit and address, and nothing else is.
-        assert (unit_en == (expect_write ? 1 << expect_unit : 0));
-        assert (requant_en == expect_requant);
-        if (expect_write) assert (weight[{slice_of(weight, "addr")}] == expect_addr
-            && weight[{slice_of(weight, "data")}] == expect_data[{SMALL.weight_word_bits - 1}:0]);
-        if (expect_requant) assert (requant[{slice_of(requant, "addr")}] == expect_addr
-            && requant[{slice_of(requant, "data")}] == expect_data[{SMALL.requant_word_bits - 1}:0]);
-    end
-    reg ended = 0;
-    always @(posedge clk) begin
-        ended <= taken && (load_ends || fault) && !rst;
-        if (ended && !rst) assert (!busy);
-    end
 endmodule
 """
     )
@@ -336,44 +274,18 @@ STREAMS: tuple[Proof, ...] = (
         _frame,
         15,
         False,
-        ("array",),
+        ("frame",),
         (
-            Break("array.py", "self.o.valid.eq(self.i.valid & is_open)", "self.o.valid.eq(self.i.valid)"),
+            Break("frame.py", "self.o.valid.eq(self.i.valid & is_open)", "self.o.valid.eq(self.i.valid)"),
             Break(
-                "array.py",
-                "row_last.eq(pixel_last & (column + 1 == self.shape.width))",
-                "row_last.eq(pixel_last & (column == self.shape.width))",
+                "frame.py",
+                "row_last.eq(pixel_last & (column + 1 == self.width))",
+                "row_last.eq(pixel_last & (column == self.width))",
             ),
             Break(
-                "array.py",
+                "frame.py",
                 "self.fault.eq(put & (self.i.payload.last != image_last))",
                 "self.fault.eq(put & ~self.i.payload.last & image_last)",
-            ),
-        ),
-    ),
-    Proof(
-        "loader",
-        "every word is written once, whole, to its memory and address; TLAST faults are named",
-        "loader",
-        _loader,
-        24,
-        False,
-        ("loader",),
-        (
-            Break(
-                "loader.py",
-                "unit_done.eq(word_done & (word_index + 1 == self.words))",
-                "unit_done.eq(word_done & (word_index == self.words))",
-            ),
-            Break(
-                "loader.py",
-                "self.requant_en.eq(word_done & to_requant)",
-                "self.requant_en.eq(put & to_requant)",
-            ),
-            Break(
-                "loader.py",
-                "beat_index.eq(0), word_index.eq(0), unit.eq(1),",
-                "word_index.eq(0), unit.eq(1),",
             ),
         ),
     ),

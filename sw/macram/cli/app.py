@@ -119,7 +119,7 @@ def parser() -> argparse.ArgumentParser:
     _hardware(verb)
     export_verb.add_export(verb)
     designs_verb.add_designs(verb)
-    synth_verb.add_parsers(verb, SEED)
+    synth_verb.add_parsers(verb)
     data_grammar.add_data(verb)
     counts_verb.add_parser(verb)
     train_verb.add_train(verb)

@@ -22,14 +22,14 @@ examples:
 """
 BITSTREAM_EPILOG = """\
 The array is built into a self-test: image beats from a generator, weights in the bitstream, output into a CRC that
-the golden model has foretold, cycle counter compared. Lamps of the board: D5 pass, then fail, blink, PLL locked.
+the golden model has foretold, cycle counter compared. Lamps from pin A13 on: pass, fail, blink, PLL locked.
 
 files in DIR: macram.bit, bitstream.json, bitstream.md, and every script, netlist and log on the way
 example: macram bitstream configs/ecp5-85k.toml -o build/bitstream
 """
 
 
-def add_parsers(verb: Callable[[str, str, str, str], argparse.ArgumentParser], seed: int) -> None:
+def add_parsers(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> None:
     """The grammar of both verbs."""
     synth_parser = verb(
         "synth",
@@ -59,7 +59,9 @@ def add_parsers(verb: Callable[[str, str, str, str], argparse.ArgumentParser], s
     bitstream_parser.add_argument(
         "--mhz", type=int, default=100, help="array clock, a multiple of 4 (default: 100)"
     )
-    bitstream_parser.add_argument("--seed", type=int, default=seed, help=f"default: {seed}")
+    bitstream_parser.add_argument(
+        "--seed", type=int, default=1, help="of the self-test's layer and of nextpnr (default: 1)"
+    )
     _out(bitstream_parser, "build/bitstream")
     _timeout(bitstream_parser, 7200)
 
