@@ -69,7 +69,6 @@ def test_cycles_are_the_closed_form(toolchain, shape):
         (3, "soft", 0),
         (6, "dsp48e2", 1),
         pytest.param(5, "portable", 2, marks=pytest.mark.slow),
-        pytest.param(11, "dsp48e2", 3, marks=pytest.mark.slow),
     ],
 )
 def test_any_number_of_rows_of_any_kinds(toolchain, rows, engine, soft_rows):
@@ -83,14 +82,3 @@ def test_any_number_of_rows_of_any_kinds(toolchain, rows, engine, soft_rows):
         result = simulate(pack_layer(case, array), case.input, seed=rows)
         np.testing.assert_array_equal(result.codes, run_layer(case))
         assert_as_estimated(spec, array, result.counters)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("name", "cycles"), [("reference", 197_205), ("paper", 271_200), ("zu3eg", 148_057)])
-def test_the_reference_layer(toolchain, name, cycles):
-    spec, array = ConvSpec(64, 128, 128, 128), ArrayConfig.from_toml(CONFIGS / f"{name}.toml")
-    case = random_case(spec, seed=3)
-    result = simulate(pack_layer(case, array), case.input, seed=3)
-    np.testing.assert_array_equal(result.codes, run_layer(case))
-    assert_as_estimated(spec, array, result.counters)
-    assert result.counters["cycles"] == cycles

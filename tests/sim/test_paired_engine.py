@@ -80,4 +80,4 @@ def test_refusals_and_recoveries_on_two_clocks(toolchain, tmp_path):
     done = runner.run(
         build_array(ARRAY), "bench_recovery", tmp_path / "run", seed=SEED, env={"MACRAM_JOB": str(tmp_path)}
     )
-    assert done.tests == 5
+    assert done.tests == 9
