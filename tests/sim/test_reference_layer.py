@@ -1,4 +1,4 @@
-"""The reference layer at full size on the configurations that are compared with the paper; `macram sim` runs `reference`."""
+"""The reference layer at full size on `paper` and `zu3eg`; `macram sim` runs it on `reference`."""
 
 from __future__ import annotations
 
