@@ -9,7 +9,7 @@ from typing import Any
 
 from macram.perf import estimate, pixel_in_cycles, pixel_out_cycles
 from macram.report.latency import REFERENCE
-from macram.spec import ArrayConfig, ConvSpec
+from macram.spec import ArrayConfig, ConvSpec, pass_specs
 
 CLOCK_HZ = 100_000_000
 """The clock of the paper's accelerator; all milliseconds are cycles at this clock."""
@@ -88,22 +88,31 @@ def describe_layer(
 ) -> dict[str, Any]:
     """One layer on one array; a layer that the array refuses has the reason in ``refused`` and no cycles.
 
-    The formats are the array's: only the shape of ``layer`` counts.
+    The formats are the array's: only the shape of ``layer`` counts. Cycles are those of all passes over the output
+    channels together, without loads that do not hide behind a run.
     """
     layer = dataclasses.replace(layer, weight=array.weight, input=array.input, output=array.output)
     row: dict[str, Any] = {
         "name": name, "part": part, "c_in": layer.c_in, "c_out": layer.c_out, "height": layer.height,
         "width": layer.width, "kernel": layer.kernel, "stride": layer.stride, "macs": layer.macs,
         "macs_per_beat": layer.macs / max(beats_in(layer, array), beats_out(layer, array)),
-        "refused": None, "cycles": None, "macs_per_cycle": None, "utilisation": None, "ms": None,
+        "refused": None, "passes": None, "cycles": None, "macs_per_cycle": None, "utilisation": None, "ms": None,
         "estimate": None, "simulated": None,
     }  # fmt: skip
     try:
-        cycles = estimate(layer, array)
+        passes = [estimate(part, array) for part in pass_specs(layer, array)]
     except ValueError as error:
         return row | {"refused": str(error)}
-    row["estimate"] = dataclasses.asdict(cycles) | {"total": cycles.total, "exact": cycles.exact}
-    total = cycles.total
+    total = sum(part.total for part in passes)
+    row["passes"] = len(passes)
+    row["estimate"] = {
+        **{
+            cause: sum(getattr(part, cause) for part in passes) for cause in ("fill", "mac", "stall", "drain")
+        },
+        "limited_by": passes[0].limited_by,
+        "total": total,
+        "exact": all(part.exact for part in passes),
+    }
     if simulated is not None:
         row["simulated"], total = dict(simulated), simulated["cycles"]
     return row | {

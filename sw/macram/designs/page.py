@@ -17,7 +17,19 @@ HEAD = (
     "design", "cycles", "from", "ms at 100 MHz", "MAC/cycle", "of peak", "per DSP", "per kLUT",
     "DSP", "LUT", "FF", "RAMB36",
 )  # fmt: skip
-LAYER_HEAD = ("layer", "part", "shape", "kernel", "cycles", "MAC/cycle", "of peak", *CAUSES, "ms", "")
+LAYER_HEAD = (
+    "layer",
+    "part",
+    "shape",
+    "kernel",
+    "passes",
+    "cycles",
+    "MAC/cycle",
+    "of peak",
+    *CAUSES,
+    "ms",
+    "",
+)
 PEER_HEAD = ("design", "device", "bits", "MAC/cycle", "per DSP", "per kLUT", "what the figure is", "source")
 
 
@@ -81,7 +93,7 @@ def markdown(designs: Sequence[Design], network: str, command: str, pictures: Se
                 f"{total['macs_on_array']:,} of {total['macs']:,} MAC in {total['cycles']:,} cycles, "
                 f"{total['ms']:.1f} ms at 100 MHz.", "",
             ]  # fmt: skip
-            lines += [*_table(LAYER_HEAD, [layer_cells(r) for r in design.layers], left={0, 1, 2, 3, 11}), ""]
+            lines += [*_table(LAYER_HEAD, [layer_cells(r) for r in design.layers], left={0, 1, 2, 3, 12}), ""]
     lines += ["## Published engines", "", *_table(PEER_HEAD, peer_cells(), left={0, 1, 6, 7}), ""]
     return "\n".join(lines)
 
@@ -106,11 +118,12 @@ def layer_cells(row: dict[str, Any]) -> list[str]:
     kernel = f"{row['kernel']}x{row['kernel']}/{row['stride']}"
     start = [row["name"], row["part"], shape, kernel]
     if row["refused"] is not None:
-        return [*start, *[""] * 7, row["refused"]]
+        return [*start, *[""] * 8, row["refused"]]
     lost = [f"{row['estimate'][cause]:,}" for cause in CAUSES]
     limit = "" if row["estimate"]["limited_by"] == "compute" else f"{row['estimate']['limited_by']} stream"
     return [
-        *start, f"{row['cycles']:,}", f"{row['macs_per_cycle']:,.0f}", f"{100 * row['utilisation']:.1f} %",
+        *start, str(row["passes"]), f"{row['cycles']:,}",
+        f"{row['macs_per_cycle']:,.0f}", f"{100 * row['utilisation']:.1f} %",
         *lost, f"{row['ms']:.3f}", limit,
     ]  # fmt: skip
 
