@@ -8,7 +8,7 @@ from amaranth.lib.wiring import In, Out
 
 from macram.spec import signed_format_for
 
-__all__ = ["Add3", "Operand", "sum_to_two"]
+__all__ = ["Add3", "Operand", "add", "sum_to_two"]
 
 
 class Add3(wiring.Component):
@@ -60,6 +60,19 @@ class Operand:
         return signed_format_for(self.lo, self.hi).bits
 
 
+def add(m: Module, name: str, operands: list[Operand], carries: list, *, xilinx: bool) -> Operand:
+    """The sum of two or three operands and at most two carries by one adder, submodule ``name`` of ``m``."""
+    lo = sum(operand.lo for operand in operands)
+    hi = sum(operand.hi for operand in operands) + len(carries)
+    adder = Add3(signed_format_for(lo, hi).bits, xilinx=xilinx)
+    m.submodules[name] = adder
+    m.d.comb += [
+        port.eq(operand.value) for port, operand in zip((adder.a, adder.b, adder.c), operands, strict=False)
+    ]
+    m.d.comb += [port.eq(bit) for port, bit in zip((adder.x, adder.ci), carries, strict=False)]
+    return Operand(adder.total, lo, hi)
+
+
 def sum_to_two(
     m: Module, name: str, operands: list[Operand], carries: list, *, xilinx: bool
 ) -> tuple[list[Operand], list]:
@@ -85,13 +98,5 @@ def sum_to_two(
         count = 2 if len(operands) % 2 else 3
         taken, operands = operands[:count], operands[count:]
         bits, carries = carries[:2], carries[2:]
-        lo = sum(operand.lo for operand in taken)
-        hi = sum(operand.hi for operand in taken) + len(bits)
-        adder = Add3(signed_format_for(lo, hi).bits, xilinx=xilinx)
-        m.submodules[f"{name}_add{len(operands)}"] = adder
-        m.d.comb += [
-            port.eq(operand.value) for port, operand in zip((adder.a, adder.b, adder.c), taken, strict=False)
-        ]
-        m.d.comb += [port.eq(bit) for port, bit in zip((adder.x, adder.ci), bits, strict=False)]
-        operands.append(Operand(adder.total, lo, hi))
+        operands.append(add(m, f"{name}_add{len(operands)}", taken, bits, xilinx=xilinx))
     return operands, carries

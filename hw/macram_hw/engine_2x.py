@@ -7,7 +7,7 @@ from amaranth.lib import data, wiring
 from amaranth.lib.wiring import In, Out
 
 from macram.spec import GROUP, LANES, TAPS, ArrayConfig, accumulator_range, ceil_div, signed_format_for
-from macram_hw.add3 import Add3, Operand
+from macram_hw.add3 import Operand, add
 from macram_hw.engine import DspEngine, hdl_shape, lane_products
 
 __all__ = ["Interleaver", "PairedEngine"]
@@ -168,15 +168,8 @@ class PairedEngine(wiring.Component):
                     operands += group
                     continue
                 bits, carries = carries[:2], carries[2:]
-                lo, hi = sum(term.lo for term in group), sum(term.hi for term in group) + len(bits)
-                adder = Add3(signed_format_for(lo, hi).bits, xilinx=self._config.xilinx)
-                m.submodules[f"lane{k}_{level}_add{len(operands)}"] = adder
-                m.d.comb += [
-                    port.eq(term.value)
-                    for port, term in zip((adder.a, adder.b, adder.c), group, strict=False)
-                ]
-                m.d.comb += [port.eq(bit) for port, bit in zip((adder.x, adder.ci), bits, strict=False)]
-                operands.append(Operand(adder.total, lo, hi))
+                name = f"lane{k}_{level}_add{len(operands)}"
+                operands.append(add(m, name, group, bits, xilinx=self._config.xilinx))
             operands, carries = self._registers(m, f"lane{k}_{level}", operands, carries)
         return operands[0].value, carries
 

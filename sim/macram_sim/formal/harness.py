@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 OPENING = """\
 module top(input wire clk);
     reg [15:0] age = 0;
@@ -27,18 +25,3 @@ def stable_stream(valid: str, ready: str, payload: str) -> str:
         end
     end
 """
-
-
-def slice_of(layout: Any, name: str) -> str:
-    """Verilog range of a field of an Amaranth layout."""
-    field = layout[name]
-    return f"{field.offset + field.width - 1}:{field.offset}"
-
-
-def packed(layout: Any, values: dict[str, str]) -> str:
-    """A Verilog constant-width concatenation of a layout's fields; fields not given are 0."""
-    fields = sorted(((field.offset, field.width, str(name)) for name, field in layout), reverse=True)
-    parts = []
-    for _, width, name in fields:
-        parts.append(f"{{{width}'d0}}" if name not in values else f"{values[name]}[{width - 1}:0]")
-    return "{" + ", ".join(parts) + "}"
