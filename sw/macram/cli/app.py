@@ -241,7 +241,8 @@ def _hardware(verb: Verb) -> None:
         "bench_verb",
         "measure build, simulation, golden model, packing and inference",
         "Medians of several runs, with the machine they ran on, into bench.json. With --network only the whole "
-        "network, random but calibrated, as float32 and as deployed integers, with its memory, into network-SIZE.json.",
+        "network, random but calibrated, as float32 and as deployed integers, with its memory, into network-SIZE.json. "
+        "With --train only the first steps of a training run: images a second, parts of a step, into train.json.",
     )
     bench.add_argument("--network", metavar="SIZE", help="paper, quarter, eighth, tiny or paper-front")
     bench.add_argument(
@@ -249,7 +250,11 @@ def _hardware(verb: Verb) -> None:
         type=int,
         action="append",
         metavar="N",
-        help="pictures of N x N pixels, a multiple of 32; may be repeated (default: 256 and 512)",
+        help="pictures of N x N pixels, a multiple of 32; may be repeated (default: 256 and 512; or the run's)",
+    )
+    bench.add_argument("--train", type=Path, metavar="CONFIG.toml", help="a configuration of macram train")
+    bench.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", help="override a value of it"
     )
     bench.add_argument("--repeat", type=int, default=3, help="runs per measurement (default: 3)")
     _out(bench, "build/bench")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from typing import Any
 
 from rich.table import Table
@@ -12,6 +13,10 @@ from macram.cli.console import open_console
 from macram.cli.stages import Stages
 from macram.network_latency import SIDES
 from macram.report.files import write_json
+from macram.report.versions import machine, versions
+
+TRAIN_STEPS = 5
+"""Training steps timed per repetition."""
 
 
 def bench(arguments: argparse.Namespace) -> int:
@@ -20,10 +25,16 @@ def bench(arguments: argparse.Namespace) -> int:
         raise ValueError(f"--seed must be 0 or more, not {arguments.seed}")
     if arguments.repeat < 1:
         raise ValueError(f"--repeat must be at least 1, not {arguments.repeat}")
-    if arguments.side and not arguments.network:
-        raise ValueError("--side goes with --network SIZE; add it")
+    if arguments.network and arguments.train:
+        raise ValueError("--network and --train are two measurements; choose one")
+    if arguments.set and not arguments.train:
+        raise ValueError("--set goes with --train CONFIG.toml; add it")
+    if arguments.side and not (arguments.network or arguments.train):
+        raise ValueError("--side goes with --network SIZE or --train CONFIG.toml; add one of them")
     if arguments.network:
         return _only_network(arguments)
+    if arguments.train:
+        return _training(arguments)
     arguments.out.mkdir(parents=True, exist_ok=True)
     console = open_console()
     report = measure(repeat=arguments.repeat, seed=arguments.seed, stage=Stages(console))
@@ -57,6 +68,39 @@ def _only_network(arguments: argparse.Namespace) -> int:
     path = arguments.out / f"network-{arguments.network}.json"
     write_json(path, report)
     console.print(_network(report["network"]))
+    console.print(f"{path}", highlight=False, markup=False, soft_wrap=True)
+    return 0
+
+
+def _training(arguments: argparse.Namespace) -> int:
+    """Time the first steps of a training run, print a table, write ``train.json``."""
+    from macram.train.memory import keep_memory  # noqa: PLC0415
+
+    keep_memory()
+    from macram.cli.train_verb import overrides  # noqa: PLC0415
+    from macram.train.config import load_config  # noqa: PLC0415
+    from macram.train.distributed import join_processes  # noqa: PLC0415
+    from macram.train.rate import measure_rate  # noqa: PLC0415
+    from macram.train.settings import CropPhase  # noqa: PLC0415
+
+    config = load_config(arguments.train, overrides(arguments.set))
+    if arguments.side:
+        config = replace(config, crops=(CropPhase(1.0, tuple(arguments.side)),))
+    console = open_console()
+    with Stages(console)(f"first steps of {arguments.train.name}"):
+        report = measure_rate(config, join_processes(), TRAIN_STEPS * arguments.repeat)
+    rows = Table(
+        title=f"training, {report['batch']} images a step, {report['precision']}, {report['device']}"
+    )
+    for column in ("part of a step", "median ms"):
+        rows.add_column(column, justify="left" if column == "part of a step" else "right")
+    for name, milliseconds in report["parts_ms"].items():
+        rows.add_row(name, f"{milliseconds:.1f}")
+    console.print(rows)
+    console.print(f"{report['images_per_second']:.1f} images a second", highlight=False)
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    path = arguments.out / "train.json"
+    write_json(path, {"format": 1, **report, "machine": machine(), "versions": versions()})
     console.print(f"{path}", highlight=False, markup=False, soft_wrap=True)
     return 0
 

@@ -54,6 +54,9 @@ def add_train(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -> 
 def train(arguments: argparse.Namespace) -> int:
     """Run one stage."""
     # Late: the grammar above is loaded by every command, PyTorch is not.
+    from macram.train.memory import keep_memory  # noqa: PLC0415
+
+    keep_memory()
     from rich.console import Console  # noqa: PLC0415
 
     from macram.train.config import load_config  # noqa: PLC0415

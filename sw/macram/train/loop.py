@@ -15,7 +15,6 @@ from rich.console import Console
 from torch import Tensor, nn
 
 from macram.data.files import write_picture
-from macram.data.open import open_dataset
 from macram.quant import calibrate_steps
 from macram.train.augment import NONE
 from macram.train.checkpoint import (
@@ -27,18 +26,19 @@ from macram.train.checkpoint import (
 )
 from macram.train.config import TrainConfig
 from macram.train.distributed import Processes, share_batch_norm
+from macram.train.few_channels import widen_batch_norm
 from macram.train.logs import Bar, Log
 from macram.train.mixed import autocast_helps, exact_layers
 from macram.train.objective import Objective
 from macram.train.optimiser import Follower, make_optimiser
-from macram.train.pack import pack_frames, thinned
+from macram.train.pack import pack_frames
 from macram.train.resume import check_same_run, under
-from macram.train.samples import sample_sheet
+from macram.train.samples import score
 from macram.train.schedule import crop_phase, learning_rate, progress
 from macram.train.stages import Stage
 from macram.train.stopping import Clock, stop_on_signal
 from macram.train.views import VIEWS, draw_views, frame_order
-from macram.train.warp import Cells, Warper
+from macram.train.warp import Batch, Cells, Warper
 from macram.train.watch import Watch
 
 LAST, MODEL = "last.safetensors", "model.safetensors"
@@ -88,6 +88,8 @@ class Run:
         processes.copy_first(self.stage.module)
         if processes.world > 1:
             share_batch_norm(self.stage.module)
+        elif device.type == "cpu":
+            widen_batch_norm(self.stage.module)
         named = [(n, p) for n, p in self.stage.module.named_parameters() if p.requires_grad]
         self.names: dict[Tensor, str] = {p: n for n, p in named}
         self.optimiser = make_optimiser(config.optimiser, [p for _, p in named])
@@ -96,8 +98,9 @@ class Run:
         if resume:
             self._restore()
         wanted = config.run.precision
-        helps = wanted == "bf16" or (wanted == "auto" and not self.stage.card.mode and autocast_helps(device))
-        self.autocast = torch.autocast(device.type, torch.bfloat16, enabled=helps)
+        allowed = not self.stage.card.mode and autocast_helps(device)
+        self.mixed = wanted == "bf16" or (wanted == "auto" and allowed)
+        self.autocast = torch.autocast(device.type, torch.bfloat16, enabled=self.mixed)
 
     def _packed(self) -> Any:
         config, filled = self.config, self.config.run.stage == "counterfactual"
@@ -114,12 +117,11 @@ class Run:
         """Whole frames as they are, normalised."""
         chosen = np.linspace(0, len(self.frames) - 1, min(count, len(self.frames))).round().astype(np.int64)
         batch, _ = self._batch(chosen, np.random.default_rng(0), self.frames.size, plain=True)
-        image: Tensor = batch.image
-        return image
+        return batch.image
 
     def _batch(
         self, chosen: Any, rng: np.random.Generator, size: tuple[int, int], *, plain: bool = False
-    ) -> tuple[Any, Cells]:
+    ) -> tuple[Batch, Cells]:
         if size not in self.cells:
             self.cells[size] = Cells(self.stage.net.config.levels, size, self.processes.device)
         cells = self.cells[size]
@@ -216,41 +218,50 @@ class Run:
         return self.folder / MODEL
 
     def _one_step(self) -> tuple[dict[str, Tensor], int]:
-        config = self.config
-        done = progress(config.schedule, self.step, self.minutes)
-        phase = crop_phase(config, done)
-        images = phase.batch or config.schedule.batch
-        rng = np.random.default_rng([config.run.seed, VIEWS, self.step])
-        side = int(rng.choice(phase.sizes))
-        size = (side, side) if side else self.frames.size
-        chosen = frame_order(config.run.seed, len(self.frames), self.visits, images)
-        batch, cells = self._batch(chosen, rng, size)
-        rate = learning_rate(config.schedule, config.optimiser.lr, self.step, done)
-        for group in self.optimiser.param_groups:
-            group["lr"] = rate
-        with self.autocast:
-            losses = self.stage.losses(
-                self.objective, batch, cells, images, surface=done < config.surface_until
-            )
-        self.loss_names = tuple(losses)
-        self.optimiser.zero_grad(set_to_none=True)
-        loss = torch.stack(list(losses.values())).sum()
-        loss.backward()  # type: ignore[no-untyped-call]
-        self.processes.sum_gradients(self.names)  # type: ignore[arg-type]
-        limit = config.optimiser.clip or math.inf
-        norm = nn.utils.clip_grad_norm_(self.names, limit)
-        self.watch.note(self.step + 1, loss, norm)
-        self.optimiser.step()
-        self.step += 1
+        schedule = self.config.schedule
+        done = progress(schedule, self.step, self.minutes)
+        images = crop_phase(self.config, done).batch or schedule.batch
+        batch, cells, side = self._next_batch(images, done)
+        losses = self._gradients(batch, cells, images, surface=done < self.config.surface_until)
+        rate = learning_rate(schedule, self.config.optimiser.lr, self.step, done)
+        norm = self._update(rate, torch.stack([value.detach() for value in losses.values()]).sum())
         self.visits += images
-        if self.follower is not None:
-            self.follower.follow(config.optimiser.average, self.step)
         values = {name: value.detach() for name, value in losses.items()}
         return values | {
             "grad_norm": norm,
             "lr": torch.tensor(rate),
-            "size": torch.tensor(float(size[0])),
+            "size": torch.tensor(float(side)),
         }, images
+
+    def _next_batch(self, images: int, done: float) -> tuple[Batch, Cells, int]:
+        """This process's part of the step's views, their cells, their height."""
+        rng = np.random.default_rng([self.config.run.seed, VIEWS, self.step])
+        side = int(rng.choice(crop_phase(self.config, done).sizes))
+        size = (side, side) if side else self.frames.size
+        chosen = frame_order(self.config.run.seed, len(self.frames), self.visits, images)
+        return *self._batch(chosen, rng, size), size[0]
+
+    def _gradients(self, batch: Batch, cells: Cells, images: int, *, surface: bool) -> dict[str, Tensor]:
+        """Forward and backward: losses by name, gradients of all processes."""
+        with self.autocast:
+            losses = self.stage.losses(self.objective, batch, cells, images, surface=surface)
+        self.loss_names = tuple(losses)
+        self.optimiser.zero_grad(set_to_none=True)
+        torch.stack(list(losses.values())).sum().backward()  # type: ignore[no-untyped-call]
+        self.processes.sum_gradients(self.names)  # type: ignore[arg-type]
+        return losses
+
+    def _update(self, rate: float, loss: Tensor) -> Tensor:
+        """One step of the optimiser; the norm that the gradients had."""
+        for group in self.optimiser.param_groups:
+            group["lr"] = rate
+        norm = nn.utils.clip_grad_norm_(self.names, self.config.optimiser.clip or math.inf)
+        self.watch.note(self.step + 1, loss, norm)
+        self.optimiser.step()
+        self.step += 1
+        if self.follower is not None:
+            self.follower.follow(self.config.optimiser.average, self.step)
+        return norm
 
     def _seconds_left(self, minutes: float) -> float:
         done = max(self.step / self.config.schedule.steps, 1e-9)
@@ -295,22 +306,13 @@ class Run:
 
     def _score(self, log: Log | None) -> dict[str, float]:
         """Accuracy on validation frames, and a sheet of pictures."""
-        from macram.train.predict import Predictor, evaluate_frames  # noqa: PLC0415
-
-        settings = self.config.data
-        if not settings.validation:
+        if not self.config.data.validation:
             return {}
-        dataset = open_dataset(Path(settings.root), settings.shrink)
-        frames = thinned(dataset.frames(settings.validation), self.config.log.evaluate_frames)
         self.result.eval()
-        predictor = Predictor(self.result, self.stage.card, self.processes.device)
-        evaluation, detections = evaluate_frames(predictor, frames)
+        scores, sheet = score(self.config, self.result, self.stage.card, self.processes.device)
         self.stage.module.train()
-        sheet = sample_sheet(frames, detections)
         (self.folder / "samples").mkdir(parents=True, exist_ok=True)
         write_picture(self.folder / "samples" / f"{self.step:07d}.jpg", sheet)
         if log is not None:
             log.picture("samples", sheet, self.step)
-        table = evaluation.summary["fixed"]["all"]
-        scores = {f"add_{limit}": table["add"][limit] for limit in ("0.1", "0.2", "0.5")}
-        return {**scores, "misses": 100 * table["misses"] / table["frames"]}
+        return scores

@@ -1,19 +1,44 @@
-"""Pictures of what a network predicts, beside the truth."""
+"""How well a network in training does on validation frames: a few figures, and pictures beside the truth."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 import cv2
 import numpy as np
+import torch
 from numpy.typing import NDArray
 
 from macram.data.frame import Frame
 from macram.data.geometry import box_corners
+from macram.data.open import open_dataset
+from macram.model import SpaceNet
 from macram.pose import Detection, Pose, draw_pose
 from macram.pose.draw import TRUE
+from macram.train.checkpoint import Card
+from macram.train.config import TrainConfig
+from macram.train.pack import thinned
+from macram.train.predict import Predictor, evaluate_frames
 
 PICTURES, COLUMNS, SIDE = 8, 4, 320
+
+
+def score(
+    config: TrainConfig, net: SpaceNet, card: Card, device: torch.device
+) -> tuple[dict[str, float], NDArray[np.uint8]]:
+    """Looks at ``config.log.evaluate_frames`` of the validation frames.
+
+    Returns:
+        Share of frames, %, with ADD below 0.1, 0.2 and 0.5 diameters, and of misses; and `sample_sheet`.
+    """
+    dataset = open_dataset(Path(config.data.root), config.data.shrink)
+    frames = thinned(dataset.frames(config.data.validation), config.log.evaluate_frames)
+    evaluation, detections = evaluate_frames(Predictor(net, card, device), frames)
+    table = evaluation.summary["fixed"]["all"]
+    scores = {f"add_{limit}": table["add"][limit] for limit in ("0.1", "0.2", "0.5")}
+    scores["misses"] = 100 * table["misses"] / table["frames"]
+    return scores, sample_sheet(frames, detections)
 
 
 def sample_sheet(frames: Sequence[Frame], detections: Sequence[Detection | None]) -> NDArray[np.uint8]:

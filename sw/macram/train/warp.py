@@ -147,12 +147,12 @@ class Warper:
     def _grid(self, matrix: NDArray[np.float64], size: tuple[int, int]) -> Tensor:
         """Sampling grid ``[B, H, W, 2]``: pixel centres of the view, in the frame, -1..1 from edge to edge."""
         height, width = self.frames.size
-        view = np.array([[size[1] / 2, 0, size[1] / 2], [0, size[0] / 2, size[0] / 2], [0, 0, 1]])
         frame = np.array([[2 / width, 0, -1], [0, 2 / height, -1], [0, 0, 1]])
-        theta = (frame @ np.linalg.inv(matrix) @ view)[:, :2].astype(np.float32)
-        return functional.affine_grid(
-            torch.from_numpy(theta).to(self.device), [len(theta), 1, *size], align_corners=False
-        )
+        theta = (frame @ np.linalg.inv(matrix))[:, :2].astype(np.float32)
+        # As functional.affine_grid, whose matrix product with three columns takes twice as long.
+        across, down, shift = torch.from_numpy(theta).to(self.device)[:, None, None].unbind(-1)
+        rows, columns = (torch.arange(0.5, n, device=self.device) for n in size)
+        return across * columns[:, None] + (down * rows[:, None, None] + shift)
 
     def _inside(self, mask: Tensor, views: Views, cells: Cells) -> Tensor:
         height, width = self.frames.size
