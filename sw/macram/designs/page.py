@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from macram.designs.design import CAUSES, Design
+from macram.designs.design import Design
+from macram.designs.losses import LOSSES
 from macram.designs.peers import PEERS
 from macram.designs.plots import density_png, latency_png, roofline_png
 from macram.report.files import write_bytes, write_json, write_text
@@ -26,9 +27,15 @@ LAYER_HEAD = (
     "cycles",
     "MAC/cycle",
     "of peak",
-    *CAUSES,
+    *LOSSES,
     "ms",
     "",
+)
+LOST_HEAD = ("design", "layers", "needed at the peak", *LOSSES, "total")
+LOST_NOTE = (
+    "Cycles. Needed: the multiply-accumulates at the array's peak. Unused: engines without work in a compute step, "
+    "because channels, columns or the kernel do not fill them. Fill: before the first step. Stall: between steps, "
+    "waiting for input, drain or output. Drain: after the last. Simulated layers have the array's own counters."
 )
 PEER_HEAD = ("design", "device", "bits", "MAC/cycle", "per DSP", "per kLUT", "what the figure is", "source")
 
@@ -52,8 +59,9 @@ def write_designs(
         OSError: the folder is missing or not writable.
     """
     pictures = {"latency.png": latency_png(designs)}
-    if any(design.density["macs_per_dsp"] is not None for design in designs):
-        pictures["density.png"] = density_png(designs)
+    for name, kind in (("density.png", "dsp"), ("density-lut.png", "klut")):
+        if any(design.density[f"macs_per_{kind}"] is not None for design in designs):
+            pictures[name] = density_png(designs, kind)
     pictures |= {
         f"roofline-{design.array.name}.png": roofline_png(design) for design in designs if design.rows
     }
@@ -70,7 +78,8 @@ def write_designs(
     write_text(folder / "designs.md", markdown(designs, network, command, list(pictures)))
     page = page_environment().get_template("designs.html.j2").render(
         designs=designs, network=network, command=command, note=NOTE,
-        head=HEAD, rows=[design_cells(design) for design in designs],
+        head=HEAD, rows=[design_cells(design) for design in designs], counted=counted(designs),
+        lost_head=LOST_HEAD, lost=lost_cells(designs), lost_note=LOST_NOTE,
         layer_head=LAYER_HEAD, layer_rows=[[layer_cells(row) for row in design.layers] for design in designs],
         peer_head=PEER_HEAD, peers=peer_cells(),
         pictures={name: inline_png(content) for name, content in pictures.items()},
@@ -83,7 +92,16 @@ def markdown(designs: Sequence[Design], network: str, command: str, pictures: Se
     """The tables as a Markdown page."""
     lines = ["# Designs", "", f"Written by `{command}`.", "", "## Reference layer", ""]
     lines += _table(HEAD, [design_cells(design) for design in designs], left={0, 2})
-    lines += ["", NOTE, "", *(f"![{name}]({name})" for name in pictures), ""]
+    lines += ["", *(f"{line}\n" for line in counted(designs)), NOTE, ""]
+    lines += [
+        "## Where the cycles go",
+        "",
+        *_table(LOST_HEAD, lost_cells(designs), left={0, 1}),
+        "",
+        LOST_NOTE,
+        "",
+    ]
+    lines += [*(f"![{name}]({name})" for name in pictures), ""]
     for design in designs:
         if design.layers:
             total = design.network
@@ -93,7 +111,7 @@ def markdown(designs: Sequence[Design], network: str, command: str, pictures: Se
                 f"{total['macs_on_array']:,} of {total['macs']:,} MAC in {total['cycles']:,} cycles, "
                 f"{total['ms']:.1f} ms at 100 MHz.", "",
             ]  # fmt: skip
-            lines += [*_table(LAYER_HEAD, [layer_cells(r) for r in design.layers], left={0, 1, 2, 3, 12}), ""]
+            lines += [*_table(LAYER_HEAD, [layer_cells(r) for r in design.layers], left={0, 1, 2, 3, 13}), ""]
     lines += ["## Published engines", "", *_table(PEER_HEAD, peer_cells(), left={0, 1, 6, 7}), ""]
     return "\n".join(lines)
 
@@ -102,14 +120,42 @@ def design_cells(design: Design) -> list[str]:
     """One row under `HEAD`; empty where not measured."""
     row, density, have = design.reference, design.density, design.resources or {}
     name = f"{design.array.name} ({design.array.units} x {design.array.rows}, {design.array.engine})"
+    counts = [_share(have, kind) for kind in ("dsp", "lut", "ff", "bram")]
     if row["refused"] is not None:
-        return [name, "", row["refused"], *[""] * (len(HEAD) - 3)]
+        return [name, "", row["refused"], *[""] * (len(HEAD) - 7), *counts]
     return [
         name, f"{row['cycles']:,}", "simulation" if row["simulated"] else "closed form", f"{row['ms']:.3f}",
         f"{row['macs_per_cycle']:,.0f}", f"{100 * row['utilisation']:.1f} %",
-        _number(density["macs_per_dsp"], 1), _number(density["macs_per_klut"], 1),
-        *(_number(have.get(kind), 0) for kind in ("dsp", "lut", "ff", "bram")),
+        _number(density["macs_per_dsp"], 1), _number(density["macs_per_klut"], 1), *counts,
     ]  # fmt: skip
+
+
+def counted(designs: Sequence[Design]) -> list[str]:
+    """A line per design: how its resources were counted, or that they were not."""
+    lines = []
+    for design in designs:
+        if (have := design.resources) is None:
+            lines.append(
+                f"{design.array.name}: not synthesised; macram synth on its configuration counts it."
+            )
+        else:
+            fits = "" if have["fits"] else ", which is too small for it"
+            lines.append(
+                f"{design.array.name}: counted for {have['device']}{fits}, {have['mode']}, in {have['file']} "
+                f"(design {have['design'][:12]})."
+            )
+    return lines
+
+
+def lost_cells(designs: Sequence[Design]) -> list[list[str]]:
+    """Rows under `LOST_HEAD`: the reference layer of each design, and its whole network."""
+    rows = []
+    for design in designs:
+        for layers, row in (("reference layer", design.reference), ("network", design.network)):
+            if row["lost"] is not None and row["cycles"]:
+                cells = [f"{row['lost'][key]:,.0f}" for key in ("needed", *LOSSES, "total")]
+                rows.append([design.array.name, layers, *cells])
+    return rows
 
 
 def layer_cells(row: dict[str, Any]) -> list[str]:
@@ -118,8 +164,8 @@ def layer_cells(row: dict[str, Any]) -> list[str]:
     kernel = f"{row['kernel']}x{row['kernel']}/{row['stride']}"
     start = [row["name"], row["part"], shape, kernel]
     if row["refused"] is not None:
-        return [*start, *[""] * 8, row["refused"]]
-    lost = [f"{row['estimate'][cause]:,}" for cause in CAUSES]
+        return [*start, *[""] * 9, row["refused"]]
+    lost = [f"{row['lost'][cause]:,.0f}" for cause in LOSSES]
     limit = "" if row["estimate"]["limited_by"] == "compute" else f"{row['estimate']['limited_by']} stream"
     return [
         *start, str(row["passes"]), f"{row['cycles']:,}",
@@ -137,6 +183,13 @@ def peer_cells() -> list[list[str]]:
         ]
         for peer in PEERS
     ]  # fmt: skip
+
+
+def _share(have: dict[str, Any], kind: str) -> str:
+    """A count with its percentage of the device."""
+    return (
+        f"{_number(have[kind], 1 if have[kind] % 1 else 0)} ({have['percent'][kind]:.0f} %)" if have else ""
+    )
 
 
 def _number(value: float | None, digits: int) -> str:
