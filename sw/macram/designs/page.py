@@ -11,13 +11,11 @@ from macram.designs.losses import LOSSES
 from macram.designs.peers import PEERS
 from macram.designs.plots import density_png, latency_png, roofline_png
 from macram.report.files import write_bytes, write_json, write_text
-from macram.report.latency import NOTE, PAPER_TABLE_VI
+from macram.report.latency import NOTE, PAPER_NOTE, PAPER_TABLE_VI
 from macram.report.page import inline_png, page_environment
 
-HEAD = (
-    "design", "cycles", "from", "ms at 100 MHz", "MAC/cycle", "of peak", "per DSP", "per kLUT",
-    "DSP", "LUT", "FF", "RAMB36",
-)  # fmt: skip
+HEAD = ("design", "cycles", "from", "ms at 100 MHz", "MAC/cycle", "of peak")
+RESOURCE_HEAD = ("design", "DSP", "LUT", "FF", "RAMB36", "MAC/cycle/DSP", "MAC/cycle/kLUT", "counted")
 LAYER_HEAD = (
     "layer",
     "part",
@@ -36,6 +34,14 @@ LOST_NOTE = (
     "Cycles. Needed: the multiply-accumulates at the array's peak. Unused: engines without work in a compute step, "
     "because channels, columns or the kernel do not fill them. Fill: before the first step. Stall: between steps, "
     "waiting for input, drain or output. Drain: after the last. Simulated layers have the array's own counters."
+)
+DSP_NOTE = (
+    "From macram synth (Yosys), in percent of the device. Densities are of the reference layer, per cycle of the "
+    "array's clock; slices of engine dsp48e2_2x run at twice that clock."
+)
+CLOSED_FORM = (
+    "Closed form: the cycles that a simulation with undisturbed streams counts, exactly so where no stream is the "
+    "limit. "
 )
 PEER_HEAD = ("design", "device", "bits", "MAC/cycle", "per DSP", "per kLUT", "what the figure is", "source")
 
@@ -77,9 +83,10 @@ def write_designs(
     write_json(folder / "designs.json", table)
     write_text(folder / "designs.md", markdown(designs, network, command, list(pictures)))
     page = page_environment().get_template("designs.html.j2").render(
-        designs=designs, network=network, command=command, note=NOTE,
-        head=HEAD, rows=[design_cells(design) for design in designs], counted=counted(designs),
-        lost_head=LOST_HEAD, lost=lost_cells(designs), lost_note=LOST_NOTE,
+        designs=designs, network=network, command=command,
+        head=HEAD, rows=[design_cells(design) for design in designs], note=note(designs),
+        resource_head=RESOURCE_HEAD, resources=[resource_cells(design) for design in designs],
+        lost_head=LOST_HEAD, lost=lost_cells(designs), lost_note=LOST_NOTE, dsp_note=DSP_NOTE,
         layer_head=LAYER_HEAD, layer_rows=[[layer_cells(row) for row in design.layers] for design in designs],
         peer_head=PEER_HEAD, peers=peer_cells(),
         pictures={name: inline_png(content) for name, content in pictures.items()},
@@ -88,11 +95,23 @@ def write_designs(
     return folder / "designs.html"
 
 
+def note(designs: Sequence[Design]) -> str:
+    """What the milliseconds of the reference layer are, and what the paper's are."""
+    measured = all(design.reference["simulated"] for design in designs)
+    return NOTE if measured else CLOSED_FORM + PAPER_NOTE
+
+
 def markdown(designs: Sequence[Design], network: str, command: str, pictures: Sequence[str]) -> str:
     """The tables as a Markdown page."""
     lines = ["# Designs", "", f"Written by `{command}`.", "", "## Reference layer", ""]
     lines += _table(HEAD, [design_cells(design) for design in designs], left={0, 2})
-    lines += ["", *(f"{line}\n" for line in counted(designs)), NOTE, ""]
+    lines += ["", note(designs), "", "## Resources", ""]
+    lines += [
+        *_table(RESOURCE_HEAD, [resource_cells(design) for design in designs], left={0, 7}),
+        "",
+        DSP_NOTE,
+        "",
+    ]
     lines += [
         "## Where the cycles go",
         "",
@@ -117,34 +136,31 @@ def markdown(designs: Sequence[Design], network: str, command: str, pictures: Se
 
 
 def design_cells(design: Design) -> list[str]:
-    """One row under `HEAD`; empty where not measured."""
-    row, density, have = design.reference, design.density, design.resources or {}
-    name = f"{design.array.name} ({design.array.units} x {design.array.rows}, {design.array.engine})"
-    counts = [_share(have, kind) for kind in ("dsp", "lut", "ff", "bram")]
+    """One row under `HEAD`."""
+    row, array = design.reference, design.array
+    name = f"{array.name} ({array.units} x {array.rows}, {array.engine})"
     if row["refused"] is not None:
-        return [name, "", row["refused"], *[""] * (len(HEAD) - 7), *counts]
+        return [name, "", row["refused"], *[""] * (len(HEAD) - 3)]
     return [
         name, f"{row['cycles']:,}", "simulation" if row["simulated"] else "closed form", f"{row['ms']:.3f}",
         f"{row['macs_per_cycle']:,.0f}", f"{100 * row['utilisation']:.1f} %",
-        _number(density["macs_per_dsp"], 1), _number(density["macs_per_klut"], 1), *counts,
     ]  # fmt: skip
 
 
-def counted(designs: Sequence[Design]) -> list[str]:
-    """A line per design: how its resources were counted, or that they were not."""
-    lines = []
-    for design in designs:
-        if (have := design.resources) is None:
-            lines.append(
-                f"{design.array.name}: not synthesised; macram synth on its configuration counts it."
-            )
-        else:
-            fits = "" if have["fits"] else ", which is too small for it"
-            lines.append(
-                f"{design.array.name}: counted for {have['device']}{fits}, {have['mode']}, in {have['file']} "
-                f"(design {have['design'][:12]})."
-            )
-    return lines
+def resource_cells(design: Design) -> list[str]:
+    """One row under `RESOURCE_HEAD`; empty where not synthesised."""
+    have, density, name = design.resources, design.density, design.array.name
+    if have is None:
+        return [name, *[""] * (len(RESOURCE_HEAD) - 2), "not yet: macram synth on its configuration"]
+    counts = [
+        f"{_number(have[kind], 1 if have[kind] % 1 else 0)} ({have['percent'][kind]:.0f} %)"
+        for kind in ("dsp", "lut", "ff", "bram")
+    ]
+    how = f"{have['mode']}, {have['device']}" + ("" if have["fits"] else ", which is too small for it")
+    return [
+        name, *counts, _number(density["macs_per_dsp"], 1), _number(density["macs_per_klut"], 1),
+        f"{how}; design {have['design'][:12]}",
+    ]  # fmt: skip
 
 
 def lost_cells(designs: Sequence[Design]) -> list[list[str]]:
@@ -183,13 +199,6 @@ def peer_cells() -> list[list[str]]:
         ]
         for peer in PEERS
     ]  # fmt: skip
-
-
-def _share(have: dict[str, Any], kind: str) -> str:
-    """A count with its percentage of the device."""
-    return (
-        f"{_number(have[kind], 1 if have[kind] % 1 else 0)} ({have['percent'][kind]:.0f} %)" if have else ""
-    )
 
 
 def _number(value: float | None, digits: int) -> str:

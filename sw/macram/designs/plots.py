@@ -69,16 +69,14 @@ def density_png(designs: Sequence[Design], kind: str) -> bytes:
     """
     unit = {"dsp": "DSP slice", "klut": "thousand LUTs"}[kind]
     bars = [(f"{peer.name} ({peer.bits} bit)", peer.density(kind), THEIRS) for peer in PEERS]
-    bars += [
-        (
-            f"{design.array.name} ({design.array.weight.bits} bit)",
-            design.density[f"macs_per_{kind}"],
-            COLOURS[0],
-        )
-        for design in designs
-    ]
+    bars += [(_label(design, kind), design.density[f"macs_per_{kind}"], COLOURS[0]) for design in designs]
     rows = [(name, value, colour) for name, value, colour in bars if value is not None]
     return _bars(rows, f"MAC per cycle and {unit}", f"Density per {unit}", ".1f")
+
+
+def _label(design: Design, kind: str) -> str:
+    doubled = kind == "dsp" and design.array.paired_rows
+    return f"{design.array.name} ({design.array.weight.bits} bit{', slices at twice the clock' if doubled else ''})"
 
 
 def _bars(rows: Sequence[tuple[str, float, str]], label: str, title: str, form: str) -> bytes:
