@@ -147,7 +147,7 @@ class OverlayBoard(FakeArray):
             self.busy, self.fault = False, Error.NONE if self.kind == "accepts anything" else Error.BAD_SHAPE
 
     def send_image(self, channel):
-        if self.kind == "hangs":
+        if self.kind == "hangs" or self.command != 1:
             return False
         if self.kind == "memory error":
             channel.fail()
