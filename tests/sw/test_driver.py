@@ -101,7 +101,7 @@ class FakeArray:
         mode = r["MODE"]
         spec = ConvSpec(
             r["C_IN"], r["C_OUT"], r["HEIGHT"], r["WIDTH"], mode & 255, mode >> 8 & 255, mode >> 16 & 255,
-            self.array.weight, dataclasses.replace(self.array.input, signed=bool(mode >> 24)), self.array.output,
+            self.array.weight, dataclasses.replace(self.array.input, signed=bool(mode >> 24 & 1)), self.array.output,
         )  # fmt: skip
         beats = np.frombuffer(raw, np.uint8).reshape(-1, size)
         image = StreamLayout(spec.c_in, spec.input, 8 * size).unpack(beats, spec.height, spec.width)
