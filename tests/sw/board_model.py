@@ -194,7 +194,9 @@ class OverlayBoard(FakeArray):
         spec = self.spec()
         wide = StreamLayout(spec.c_out, IntFormat(8), self.array.residual_stream_bits)
         narrow = StreamLayout(spec.c_out, spec.output, self.array.stream_bits)
-        stream = wide.unpack(self.stream.reshape(-1, self.array.residual_stream_bits // 8), spec.height, spec.width)
+        stream = wide.unpack(
+            self.stream.reshape(-1, self.array.residual_stream_bits // 8), spec.height, spec.width
+        )
         codes = narrow.unpack(self.branch, spec.height, spec.width)
 
         def entries(name, count):

@@ -15,7 +15,7 @@ import vivado_model
 from vivado_model import Vivado, VivadoError
 
 from macram.cli import main
-from macram.export import export_vivado
+from macram.export import default_array, export_vivado
 from macram.export.ports import find_interfaces, read_ports
 from macram.golden import random_case, selftest_case
 from macram.pack import pack_layer, read_packed
@@ -155,6 +155,11 @@ def test_the_command(tmp_path, capsys):
     assert "layer.npz: c_in must be at most 16, not 40" in capsys.readouterr().err
     assert (tmp_path / "out/manifest.json").read_bytes() == before
     assert not list(tmp_path.glob(".out-*")), "nothing half-written stays"
+
+
+def test_the_default_is_the_array_for_the_boards_device():
+    array = default_array()
+    assert (array.name, array.engine) == ("zu3eg", "dsp48e2_2x")
 
 
 # ---- the scripts ---------------------------------------------------------------------------------------
