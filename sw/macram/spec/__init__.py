@@ -8,9 +8,8 @@ from macram.spec.array import (
     RESIDUAL,
     TAPS,
     ArrayConfig,
-    parse_format,
 )
-from macram.spec.formats import IntFormat, ceil_div, signed_format_for
+from macram.spec.formats import IntFormat, ceil_div, parse_format, signed_format_for
 from macram.spec.layer import ConvSpec, accumulator_format, accumulator_range
 from macram.spec.passes import channel_passes, pass_specs
 from macram.spec.place import BOTTOM, TOP, Place, fit_together
