@@ -19,8 +19,7 @@ FORMAT = 2
 NOTES = {
     "hierarchical": (
         "hierarchical: every module synthesised by itself, the unit's arithmetic (macram_unit, flattened) once, as a "
-        "black box in the rest and counted once per instance; nothing is optimised across module borders, so the "
-        "total is an upper bound"
+        "black box in the rest and counted once per instance; nothing is optimised across module borders"
     ),
     "flat": "flat: the whole design as one module",
 }
