@@ -125,7 +125,7 @@ def markdown(designs: Sequence[Design], network: str, command: str, pictures: Se
         if design.layers:
             total = design.network
             lines += [
-                f"## {design.array.name}: every convolution of {network}", "",
+                f"## {design.array.name}: every convolution of the network ({network})", "",
                 f"{total['on_array']} of {total['layers']} run on the array as one pass or more: "
                 f"{total['macs_on_array']:,} of {total['macs']:,} MAC in {total['cycles']:,} cycles, "
                 f"{total['ms']:.1f} ms at 100 MHz.", "",
