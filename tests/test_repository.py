@@ -26,6 +26,7 @@ LAYERS = (
     {"macram.layer_file", "macram.perf", "macram_hw"},
     {"macram.golden"},
     {"macram.pack"},
+    {"macram.transport"},
     {"macram.driver"},
     {"macram.pynq_transport", "macram_sim"},
     {"macram.board"},

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import amaranth
 from amaranth.back import verilog
-from amaranth.hdl import ClockDomain, ClockSignal, Instance, ResetSignal, Value
+from amaranth.hdl import ClockDomain, ClockSignal, Fragment, Instance, ResetSignal, Value
+from amaranth.hdl._xfrm import DomainCollector
 from amaranth.lib import memory
 from amaranth.lib.wiring import In
 
@@ -79,16 +80,28 @@ def model_path(name: str) -> Path:
 
 def component_verilog(component, name: str) -> str:
     """One component as a Verilog module ``name``, memories and primitives as instances; the same bytes each time."""
-    text = verilog.convert(
-        component,
-        name=name,
-        platform=_ExportPlatform(),
-        emit_src=False,
-        strip_internal_attrs=True,
-        missing_domain=lambda domain: ClockDomain(domain, reset_less=domain == "double"),
-    )
+    fragment = Fragment.get(component, _ExportPlatform())
+    ports = {
+        "__".join(map(str, path)): (Value.cast(value), None)
+        for path, _, value in component.signature.flatten(component)
+    }
+    for domain in _missing_domains(fragment):
+        fragment.add_domains(domain)
+        ports |= {port.name: (port, None) for port in (domain.clk, domain.rst) if port is not None}
+    text = verilog.convert(fragment, name, ports=ports, emit_src=False, strip_internal_attrs=True)
     # The banner names the generator's build; the same configuration must give the same bytes.
     return re.sub(r"\A/\*.*?\*/\n", "", text, count=1)
+
+
+def _missing_domains(fragment: Fragment) -> list[ClockDomain]:
+    """Clock domains that a component uses and does not define, the array's first.
+
+    Amaranth would add them by itself, but in the order of a set of names, which differs from process to process.
+    """
+    collector = DomainCollector()
+    collector(fragment)
+    names = sorted(collector.used_domains - collector.defined_domains, reverse=True)
+    return [ClockDomain(name, reset_less=name == "double") for name in names]
 
 
 def export_verilog(config: ArrayConfig, directory: Path, *, mem_dir: Path | None = None) -> Export:

@@ -21,7 +21,7 @@ them."""
 
 
 class ProtocolError(AssertionError):
-    """A stream broke a rule of AXI4-Stream; the message says which and at which beat."""
+    """A stream broke a rule of AXI4-Stream; the message says on which port, which and at which beat."""
 
 
 def pauses(pattern: str, rng: random.Random) -> Callable[[], int] | None:
@@ -103,7 +103,7 @@ class AxisSink:
         self._data, self._valid, self._ready, self._last = (
             getattr(dut, f"{prefix}_{name}") for name in ("tdata", "tvalid", "tready", "tlast")
         )
-        self._pause = pause
+        self._prefix, self._pause = prefix, pause
         self.moved = 0
         self.quiet()
 
@@ -135,7 +135,7 @@ class AxisSink:
             self.moved += 1
             if bool(last.value) is not (index == final):
                 what = "missing on the last" if index == final else f"early, on beat {index},"
-                raise ProtocolError(f"m_axis_tlast is {what} of {count} beats")
+                raise ProtocolError(f"{self._prefix}_tlast is {what} of {count} beats")
         self.quiet()
         bits = np.frombuffer("".join(taken).encode("ascii"), np.uint8).reshape(count, -1) & 1
         return np.packbits(bits[:, ::-1], axis=1, bitorder="little")
@@ -155,6 +155,6 @@ class AxisSink:
     def _check_held(self, held: tuple[str, bool], index: int) -> None:
         """An offered beat must stay as it is until it is taken."""
         if not self._valid.value:
-            raise ProtocolError(f"m_axis: tvalid fell while beat {index} was stalled")
+            raise ProtocolError(f"{self._prefix}: tvalid fell while beat {index} was stalled")
         if (str(self._data.value), bool(self._last.value)) != held:
-            raise ProtocolError(f"m_axis: the payload changed while beat {index} was stalled")
+            raise ProtocolError(f"{self._prefix}: the payload changed while beat {index} was stalled")

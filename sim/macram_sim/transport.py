@@ -150,6 +150,9 @@ class CocotbTransport:
         """Send beats on the parameter stream."""
         await select(self._params.send(beats), self._watchdog(0))
 
+    def check_params(self, beats: Beats) -> None:
+        """Nothing to refuse: a simulated stream takes a packet of any length."""
+
     async def run_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> list[Beats]:
         """Send an image, and with it a residual stream, and return the beats that come back meanwhile."""
         receiving, sending = [self._output.receive(beats_out)], [self._image.send(beats)]

@@ -115,7 +115,12 @@ def open_board(files: OverlayFiles, *, timeout: float = 10.0) -> Board:
             f"pl_clk0 runs at {clock_mhz:g} MHz, the overlay was built for {files.clock_mhz:g} MHz"
         )
     transport = PynqTransport(
-        overlay.macram_0, overlay.dma_image, overlay.dma_param, pynq.allocate, timeout=timeout
+        overlay.macram_0,
+        overlay.dma_image,
+        overlay.dma_param,
+        pynq.allocate,
+        residual_dma=overlay.dma_residual if files.array.residual_stream_bits else None,
+        timeout=timeout,
     )
     return Board(ArrayDriver(transport, files.array), transport, clock_mhz)
 

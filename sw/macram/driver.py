@@ -10,7 +10,6 @@ import dataclasses
 from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,100 +17,41 @@ from numpy.typing import NDArray
 from macram.golden import ResidualRule
 from macram.pack import PackedLayer
 from macram.spec import (
+    BOTTOM,
     BY_NAME,
     RESIDUAL,
+    TOP,
     ArrayConfig,
     Control,
     ConvSpec,
     Error,
-    IntFormat,
+    Place,
     Status,
     StreamLayout,
+    fit_together,
 )
-from macram.spec.registers import ID_VALUE, VERSION_VALUE, mode_word
+from macram.spec.identity import identity
+from macram.spec.registers import mode_word
+from macram.transport import ArrayError, Beats, BusError, StreamTimeout, Transport
 
-Beats = NDArray[np.uint8]
-"""``[beats, stream_bits // 8]`` bytes, low byte first."""
+__all__ = [
+    "BOTTOM",
+    "COUNTERS",
+    "TOP",
+    "ArrayDriver",
+    "ArrayError",
+    "Beats",
+    "BusError",
+    "Place",
+    "RunResult",
+    "StreamTimeout",
+    "Transport",
+]
 
 COUNTERS = ("cycles", "mac_cycles", "fill_cycles", "input_stalls", "output_stalls", "drain_cycles")
 """Lower-case names of the cycle counters; the later ones add up to the first."""
 IDLE_POLLS = 10_000
 """Reads of STATUS after the last beat of a stream before an array that stays busy is given up."""
-
-
-class ArrayError(RuntimeError):
-    """The array reports an error, or is not the one that was expected.
-
-    Attributes:
-        code: the ERROR register; `Error.NONE` where the array itself reports nothing.
-    """
-
-    def __init__(self, message: str, code: Error = Error.NONE) -> None:
-        super().__init__(message)
-        self.code = code
-
-
-class BusError(ArrayError):
-    """A register access was answered with an error."""
-
-
-class StreamTimeout(ArrayError):
-    """A stream stopped moving before its last beat."""
-
-
-@dataclass(frozen=True)
-class Place:
-    """An end of the weight and requantiser memories. Layers at opposite ends are apart if both fit at all.
-
-    Attributes:
-        at_top: the layer's last word is the memory's last; else its first word is the first.
-    """
-
-    at_top: bool
-
-    def bases(self, spec: ConvSpec, array: ArrayConfig) -> tuple[int, int]:
-        """Addresses of the layer's first weight word and first requantiser word."""
-        if not self.at_top:
-            return 0, 0
-        return array.weight_depth - array.weight_words(spec), array.requant_depth - array.requant_words(spec)
-
-
-BOTTOM, TOP = Place(at_top=False), Place(at_top=True)
-
-
-def fit_together(one: ConvSpec, other: ConvSpec, array: ArrayConfig) -> bool:
-    """Whether two layers can be in the memories at the same time."""
-    weights = array.weight_words(one) + array.weight_words(other)
-    requant = array.requant_words(one) + array.requant_words(other)
-    return weights <= array.weight_depth and requant <= array.requant_depth
-
-
-class Transport(Protocol):
-    """What the driver needs of the world outside. Offsets are bytes, register values 32 bits unsigned."""
-
-    async def read(self, offset: int) -> int:
-        """Read a register; `BusError` if it is refused."""
-
-    async def write(self, offset: int, value: int) -> None:
-        """Write a register; `BusError` if it is refused."""
-
-    async def send_params(self, beats: Beats) -> None:
-        """Send beats on the parameter stream, TLAST on the last; `StreamTimeout` if they are not taken."""
-
-    async def begin_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> None:
-        """Send an image, TLAST on its last beat, and expect ``beats_out`` beats back.
-
-        It goes on by itself: registers and parameter stream stay free meanwhile.
-
-        With ``residual``, those beats go to the residual adder, and as many come back from it.
-        """
-
-    async def end_stream(self) -> list[Beats]:
-        """Wait for the image that was begun; its beats, and second in the list those of the residual adder.
-
-        Raises:
-            StreamTimeout: no stream moves any more.
-        """
 
 
 @dataclass(frozen=True)
@@ -151,7 +91,7 @@ class ArrayDriver:
         Raises:
             ArrayError: naming the first register that differs, its value and the value expected.
         """
-        for name, wanted in _identity(self._array).items():
+        for name, wanted in identity(self._array).items():
             value = await self._read(name)
             if value != wanted:
                 raise ArrayError(
@@ -181,6 +121,8 @@ class ArrayDriver:
                 "pack it for this array"
             )
         weights, requant = packed.load_beats()
+        for beats in (weights, requant):
+            self._transport.check_params(beats)
         weight_base, requant_base = place.bases(packed.spec, self._array)
         for command, base, words, beats in (
             (Control.LOAD_WEIGHTS, weight_base, packed.weight_words, weights),
@@ -272,10 +214,10 @@ class ArrayDriver:
         stream = wide.pack(residual) if wide is not None and residual is not None else None
         output = StreamLayout(spec.c_out, array.output, array.stream_bits)
         beats_out = spec.out_height * spec.out_width * output.beats_per_pixel
-        await self._write("CONTROL", Control.START)
         try:
             await self._transport.begin_stream(beats, beats_out, stream)
             try:
+                await self._write("CONTROL", Control.START)
                 if meanwhile is not None:
                     await meanwhile()
             finally:
@@ -355,21 +297,3 @@ class ArrayDriver:
         except ValueError:
             raise ArrayError(f"the array reports the unknown error code {value}") from None
         raise ArrayError(f"the array reports {code.name} (ERROR = {value})", code)
-
-
-def _identity(array: ArrayConfig) -> dict[str, int]:
-    """Values of the read-only registers that describe ``array``, laid out as in `macram.spec.registers`."""
-
-    def form(value: IntFormat) -> int:
-        return value.bits | value.signed << 7
-
-    return {
-        "ID": ID_VALUE,
-        "VERSION": VERSION_VALUE,
-        "GEOMETRY": array.units | array.rows << 16 | array.drain << 24,
-        "FORMATS": array.weight.bits | form(array.input) << 8 | form(array.output) << 16,
-        "WEIGHT_DEPTH": array.weight_depth,
-        "ROW_WORDS": array.row_words,
-        "MAX_CHANNELS": array.max_c_in | array.max_c_out << 16,
-        "RESIDUAL": array.residual_stream_bits,
-    }

@@ -13,7 +13,7 @@ from typing import Any, Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from macram.driver import Beats, StreamTimeout
+from macram.transport import Beats, StreamTimeout
 
 T = TypeVar("T")
 
@@ -141,14 +141,18 @@ class PynqTransport:
             ValueError: more than `MAX_TRANSFER` bytes.
             StreamTimeout: the transfer took too long or failed, or an earlier one still holds the channel.
         """
-        _check_size(beats.size, "parameter stream")
+        self.check_params(beats)
         channel = self._params.sendchannel
-        self._check_free(channel, "parameter stream")
         try:
             self._start(channel, self._filled(beats))
             self._finish(channel, "parameter stream")
         finally:
             self._reclaim()
+
+    def check_params(self, beats: Beats) -> None:
+        """Raise what `send_params` would raise before it moves anything."""
+        _check_size(beats.size, "parameter stream")
+        self._check_free(self._params.sendchannel, "parameter stream")
 
     async def begin_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> None:
         """Start the transfers of an image and come back at once.

@@ -19,7 +19,7 @@ async def start(dut):
     dut.aresetn.value = 0
     dut.fault.value = int(os.environ.get("ECHO_FAULT", "0"))
     dut.s_axis_tvalid.value = 0
-    dut.m_axis_tready.value = 0
+    dut.m_axis_echo_tready.value = 0
     await ClockCycles(dut.aclk, 3)
     dut.aresetn.value = 1
     await ClockCycles(dut.aclk, 1)
@@ -31,7 +31,7 @@ async def stream(dut):
     seed = os.environ.get("COCOTB_RANDOM_SEED", "0")
     gaps, stalls = os.environ.get("ECHO_GAPS", "none"), os.environ.get("ECHO_STALLS", "none")
     source = AxisSource(dut, "s_axis", pauses(gaps, random.Random(f"g{seed}")))
-    sink = AxisSink(dut, "m_axis", pauses(stalls, random.Random(f"s{seed}")))
+    sink = AxisSink(dut, "m_axis_echo", pauses(stalls, random.Random(f"s{seed}")))
     rng = np.random.default_rng(int(seed))
     for count in (1, 2, 300):
         beats = rng.integers(0, 256, (count, 5), np.uint8)

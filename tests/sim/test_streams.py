@@ -39,10 +39,10 @@ def test_every_beat_arrives(toolchain, tmp_path, gaps, stalls):
 @pytest.mark.parametrize(
     ("fault", "stalls", "message"),
     [
-        (1, "random", "tvalid fell while beat"),
-        (2, "random", "the payload changed while beat"),
-        (3, "none", r"tlast is early, on beat \d, of 300 beats"),
-        (4, "none", "tlast is missing on the last of 1 beats"),
+        (1, "random", "m_axis_echo: tvalid fell while beat"),
+        (2, "random", "m_axis_echo: the payload changed while beat"),
+        (3, "none", r"m_axis_echo_tlast is early, on beat \d, of 300 beats"),
+        (4, "none", "m_axis_echo_tlast is missing on the last of 1 beats"),
     ],
 )
 def test_broken_rules_are_noticed(toolchain, tmp_path, fault, stalls, message):

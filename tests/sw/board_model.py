@@ -15,7 +15,7 @@ from test_driver import FakeArray
 
 from macram.layer_file import LayerCase
 from macram.pack import pack_layer
-from macram.spec import BY_NAME, ArrayConfig, ConvSpec, Error, StreamLayout
+from macram.spec import BY_NAME, ArrayConfig, ConvSpec, Error, IntFormat, StreamLayout
 
 MAX_BYTES = (1 << 26) - 1
 
@@ -119,6 +119,9 @@ class OverlayBoard(FakeArray):
         self.output = None
         self.dma_image, self.dma_param = Dma(self.send_image, self.receive), Dma(self.send_param)
         self.dma_image.stuck = fault == "reset hangs"
+        if array.residual_stream_bits:
+            self.dma_residual = Dma(self.send_residual, self.receive_sums)
+        self.branch, self.stream, self.sums = None, None, None
 
     def allocate(self, shape, dtype):
         self.buffers_made.append(Buffer(shape, dtype))
@@ -142,12 +145,13 @@ class OverlayBoard(FakeArray):
         if name != "CONTROL":
             return
         self.fault, self.output = Error.NONE, None
+        self.branch, self.stream, self.sums = None, None, None
         self.busy = value in (1, 2, 4)
         if value == 1 and not self.registers["HEIGHT"]:
             self.busy, self.fault = False, Error.NONE if self.kind == "accepts anything" else Error.BAD_SHAPE
 
     def send_image(self, channel):
-        if self.kind == "hangs":
+        if self.kind == "hangs" or self.command != 1:
             return False
         if self.kind == "memory error":
             channel.fail()
@@ -159,7 +163,10 @@ class OverlayBoard(FakeArray):
             self.fault = Error.TLAST_EARLY
             return True
         self.take("image", bytes(channel.buffer.memory))
-        if self.kind == "wrong code":
+        if self.registers["MODE"] >> 25 & 1:
+            self.branch, self.output = self.output, None
+            self.add()
+        if self.kind == "wrong code" and self.output is not None:
             self.output[-1, 0] ^= 1
         if self.kind == "short output":
             self.output = self.output[:-1]
@@ -173,12 +180,50 @@ class OverlayBoard(FakeArray):
         self.busy = False
         return True
 
-    def receive(self, channel):
-        if self.output is None or not self.busy:
+    def send_residual(self, channel):
+        if self.command != 1:
             return False
-        flat = self.output.reshape(-1)
+        self.stream = np.array(channel.buffer.memory)
+        self.add()
+        return True
+
+    def add(self):
+        """The residual adder, from its registers, once the branch and the stream are there."""
+        if self.branch is None or self.stream is None:
+            return
+        spec = self.spec()
+        wide = StreamLayout(spec.c_out, IntFormat(8), self.array.residual_stream_bits)
+        narrow = StreamLayout(spec.c_out, spec.output, self.array.stream_bits)
+        stream = wide.unpack(
+            self.stream.reshape(-1, self.array.residual_stream_bits // 8), spec.height, spec.width
+        )
+        codes = narrow.unpack(self.branch, spec.height, spec.width)
+
+        def entries(name, count):
+            words = (self.registers[f"RESIDUAL_{name}{i // 4}"] >> 8 * (i % 4) for i in range(count))
+            return np.array([word & 255 for word in words])
+
+        sums = np.minimum(stream + entries("TABLE", 8)[codes], 255)
+        if self.kind == "wrong sum":
+            sums[0, 0, 0] ^= 1
+        self.sums = wide.pack(sums)
+        self.output = narrow.pack((sums[..., None] > entries("BOUNDS", 7)).sum(axis=-1))
+
+    def receive(self, channel):
+        return self.answer(channel, "output")
+
+    def receive_sums(self, channel):
+        return self.answer(channel, "sums")
+
+    def answer(self, channel, name):
+        beats = getattr(self, name)
+        if beats is None:
+            return False
+        flat = beats.reshape(-1)
         channel.buffer.memory[: flat.size] = flat
-        channel.transferred, self.busy = flat.size, False
+        channel.transferred = flat.size
+        setattr(self, name, None)
+        self.busy = self.output is not None or self.sums is not None
         return True
 
 
@@ -201,6 +246,8 @@ class Overlay:
         board = OverlayBoard(array, LayerCase.load(folder / "layer.npz"), FAULT)
         _boards.append(board)
         self.macram_0, self.dma_image, self.dma_param = board, board.dma_image, board.dma_param
+        if array.residual_stream_bits:
+            self.dma_residual = board.dma_residual
         Clocks.fclk0_mhz = 187.5 if FAULT == "another clock" else Clocks.fclk0_mhz * 0.99999
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import os
 import shutil
@@ -44,8 +45,12 @@ finally:
 
 @pytest.fixture(scope="module")
 def exported(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("board") / "overlay"
-    write_overlay(folder, TINY, LAYER, run_layer(LAYER))
+    return overlay(tmp_path_factory.mktemp("board") / "overlay", TINY)
+
+
+def overlay(folder, array):
+    """An overlay of ``array``, with what Vivado would add and a ``pynq`` beside it."""
+    write_overlay(folder, array, LAYER, run_layer(LAYER))
     for name in ("macram.bit", "macram.hwh"):
         (folder / name).write_text("a model")
     (folder.parent / "pynq.py").write_text("from board_model import Clocks, Overlay, allocate\n")
@@ -79,6 +84,22 @@ def test_selftest(exported):
     status, text = run(exported, "selftest.py")
     assert status == 0, text
     assert [line.partition(" ")[0] for line in text.splitlines()] == ["ok"] * 9
+
+
+@pytest.fixture(scope="module")
+def exported_with_adder(tmp_path_factory):
+    array = dataclasses.replace(TINY, name="tiny-residual", residual_stream_bits=64)
+    return overlay(tmp_path_factory.mktemp("board") / "overlay", array)
+
+
+@pytest.mark.parametrize(("fault", "steps"), [("", 10), ("wrong sum", 7)])
+def test_selftest_of_an_array_with_a_residual_adder(exported_with_adder, fault, steps):
+    status, text = run(exported_with_adder, "selftest.py", fault=fault)
+    assert status == bool(fault), text
+    said = text.splitlines()
+    assert [line.partition(" ")[0] for line in said].count("ok") == steps
+    if fault:
+        assert said[-1].startswith("FAILED  a residual stream is added to, code by code: ")
 
 
 @pytest.mark.parametrize(

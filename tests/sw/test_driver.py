@@ -80,6 +80,8 @@ class FakeArray:
         self.log.append((name, value))
         if name == "CONTROL":
             self.command, self.busy_reads = value, 3
+            if value == 1:
+                self.image.sendchannel.deliver()
         else:
             self.registers[name] = value
 
@@ -99,7 +101,7 @@ class FakeArray:
         mode = r["MODE"]
         spec = ConvSpec(
             r["C_IN"], r["C_OUT"], r["HEIGHT"], r["WIDTH"], mode & 255, mode >> 8 & 255, mode >> 16 & 255,
-            self.array.weight, dataclasses.replace(self.array.input, signed=bool(mode >> 24)), self.array.output,
+            self.array.weight, dataclasses.replace(self.array.input, signed=bool(mode >> 24 & 1)), self.array.output,
         )  # fmt: skip
         beats = np.frombuffer(raw, np.uint8).reshape(-1, size)
         image = StreamLayout(spec.c_in, spec.input, 8 * size).unpack(beats, spec.height, spec.width)
@@ -134,18 +136,27 @@ class FakeChannel:
     def __init__(self, fake: FakeArray, stream: str):
         self.fake, self.stream, self.started, self.polls = fake, stream, False, 0
         self.error, self.transferred = False, 0
+        self.waiting: bytes | None = None
 
     @property
     def idle(self) -> bool:
         self.polls += 1
-        return self.started and not self.fake.hang and self.polls > 2
+        return self.started and not self.fake.hang and self.polls > 2 and self.waiting is None
 
     def transfer(self, buffer) -> None:
         self.started, self.polls = True, 0
         if self.stream == "output":
             self.fake.target = buffer
-        elif not self.fake.hang:
-            self.fake.take(self.stream, bytes(buffer))
+            return
+        self.waiting = bytes(buffer)
+        if self.stream == "param":
+            self.deliver()
+
+    def deliver(self) -> None:
+        """The array takes what waits: an image from START on, parameters at once."""
+        if self.waiting is not None and not self.fake.hang:
+            self.fake.take(self.stream, self.waiting)
+            self.waiting = None
 
     def wait(self) -> None:
         assert self.started
@@ -296,6 +307,7 @@ def test_memory_that_a_dma_may_still_write_is_kept():
         run_sync(driver.run(case.input))
     assert fake.buffers == 2
     fake.hang = False
+    fake.image.sendchannel.deliver()  # the array takes it after all
     first = run_sync(driver.run(case.input)).codes
     np.testing.assert_array_equal(first, golden.run_layer(case))
     assert fake.buffers == 0, "freed once the channels are idle"
@@ -343,6 +355,31 @@ def test_bad_input_reaches_no_register():
     with pytest.raises(ValueError, match=r"codes must lie in 0\.\.7"):
         run_sync(driver.run(case.input + 8))
     assert fake.log == before
+
+
+@pytest.mark.parametrize("reason", ["too long", "held"])
+def test_nothing_is_started_that_cannot_be_fed(reason, monkeypatch):
+    """Neither a load nor a run is commanded if the transport refuses its packet."""
+    case = random_case(ConvSpec(2, 3, 4, 4), SEED)
+    fake = FakeArray(TINY)
+    driver = ArrayDriver(fake.transport(), TINY)
+    run_sync(driver.load(pack_layer(case, TINY)))
+    run_sync(driver.configure(case.spec))
+    if reason == "too long":
+        monkeypatch.setattr("macram.pynq_transport.MAX_TRANSFER", 7)
+        refused = pytest.raises(ValueError, match="one DMA transfer at most 7; split the layer")
+    else:
+        fake.hang = True
+        for job in (driver.load(pack_layer(case, TINY)), driver.run(case.input)):
+            with pytest.raises(StreamTimeout, match="did not finish"):
+                run_sync(job)
+        fake.hang = False  # but both transfers are still under way
+        refused = pytest.raises(StreamTimeout, match="still holds a transfer that was given up")
+    before = list(fake.log)
+    for job in (driver.run(case.input), driver.load(pack_layer(case, TINY))):
+        with refused:
+            run_sync(job)
+    assert fake.log == before, "no register was written"
 
 
 def test_run_sync_refuses_to_wait():

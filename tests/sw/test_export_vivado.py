@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -14,9 +15,8 @@ import vivado_model
 from vivado_model import Vivado, VivadoError
 
 from macram.cli import main
-from macram.export import export_vivado
+from macram.export import default_array, export_vivado
 from macram.export.ports import find_interfaces, read_ports
-from macram.export.settings import constraints_xdc, settings_tcl
 from macram.golden import random_case, selftest_case
 from macram.pack import pack_layer, read_packed
 from macram.spec import ArrayConfig, ConvSpec
@@ -25,6 +25,11 @@ TINY = ArrayConfig(
     name='tiny "array" [x] $y', units=8, rows=2, drain=2, max_c_in=16, max_c_out=32, weight_depth=64,
     row_words=32, stream_bits=32,
 )  # fmt: skip
+DOUBLED = ArrayConfig(
+    name="doubled", units=8, rows=3, drain=2, max_c_in=15, max_c_out=32, weight_depth=64, row_words=32,
+    stream_bits=32, engine="dsp48e2_2x", soft_rows=1, residual_stream_bits=64,
+)  # fmt: skip
+"""With two clocks and a residual stream of another width than the image's."""
 STREAM = ("tdata", "tvalid", "tready", "tlast")
 
 
@@ -35,29 +40,25 @@ def exported(tmp_path_factory):
     return folder
 
 
+@pytest.fixture(scope="module")
+def doubled(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("export") / "doubled"
+    export_vivado(DOUBLED, selftest_case(DOUBLED), folder)
+    return folder
+
+
+@pytest.fixture
+def double_folder(doubled, tmp_path):
+    return Path(shutil.copytree(doubled, tmp_path / "vivado"))
+
+
 @pytest.fixture
 def folder(exported, tmp_path):
     return Path(shutil.copytree(exported, tmp_path / "vivado"))
 
 
-def add_ports(folder, declarations):
-    """Give the top level more ports, as other arrays have them, and write what depends on its ports again."""
-    path = folder / "rtl/macram_top.v"
-    text = path.read_text()
-    names = "".join(f"{line.split()[-1]}, " for line in declarations)
-    text = text.replace("module macram_top(", f"module macram_top({names}", 1)
-    text = text.replace(");\n", ");\n" + "".join(f"  {line};\n" for line in declarations), 1)
-    path.write_text(text)
-    ports = read_ports(text, "macram_top")
-    sources = [f"rtl/{name}" for name in ("macram_ram.v", "macram_lutram.v", "macram_unit.v", "macram_top.v")]
-    (folder / "settings.tcl").write_text(settings_tcl(TINY, ports, sources))
-    (folder / "constraints.xdc").write_text(constraints_xdc(ports))
-
-
 def session(folder):
-    vivado = Vivado(folder)
-    vivado.stream_bits = TINY.stream_bits
-    return vivado
+    return Vivado(folder)
 
 
 # ---- the files -----------------------------------------------------------------------------------------
@@ -75,6 +76,30 @@ def test_the_manifest_has_the_hash_of_every_file(exported):
 def test_the_same_array_and_layer_give_the_same_bytes(exported, tmp_path):
     again = export_vivado(TINY, selftest_case(TINY), tmp_path / "again")
     assert again == json.loads((exported / "manifest.json").read_text())
+
+
+def test_every_process_writes_the_same_bytes(doubled, tmp_path):
+    """Sets of names are in another order in every process, unless PYTHONHASHSEED says which."""
+    config = tmp_path / "doubled.toml"
+    lines = [f"{key} = {json.dumps(value)}\n" for key, value in DOUBLED.to_dict().items()]
+    config.write_text("[array]\n" + "".join(lines))
+    command = ["export", "vivado", "--config", str(config), "-o"]
+    for seed in ("0", "1"):  # which differ in the order of the clock domains' names
+        out = tmp_path / seed
+        code = f"from macram.cli import main; main({[*command, str(out)]!r})"
+        subprocess.run(
+            [sys.executable, "-c", code],
+            env=os.environ | {"PYTHONHASHSEED": seed},
+            check=True,
+            capture_output=True,
+        )
+        assert files_of(out) == files_of(doubled)
+
+
+def files_of(folder):
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()
+    }
 
 
 def test_memory_images_are_those_of_the_layer(exported):
@@ -130,6 +155,11 @@ def test_the_command(tmp_path, capsys):
     assert "layer.npz: c_in must be at most 16, not 40" in capsys.readouterr().err
     assert (tmp_path / "out/manifest.json").read_bytes() == before
     assert not list(tmp_path.glob(".out-*")), "nothing half-written stays"
+
+
+def test_the_default_is_the_array_for_the_boards_device():
+    array = default_array()
+    assert (array.name, array.engine) == ("zu3eg", "dsp48e2_2x")
 
 
 # ---- the scripts ---------------------------------------------------------------------------------------
@@ -189,24 +219,59 @@ def test_a_build_can_be_repeated(folder):
         session(folder).source("build.tcl")
 
 
-def test_build_with_a_doubled_clock(folder):
-    add_ports(folder, ["input aclk2x"])
-    vivado = session(folder)
+def test_build_with_two_clocks_and_a_residual_stream(double_folder):
+    vivado = session(double_folder)
     vivado.source("build.tcl")
-    assert vivado.nets["macram_0/aclk2x"] == "clocks/clk_out2"
-    assert vivado.nets["macram_0/aclk"] == vivado.nets["dma_image/m_axi_mm2s_aclk"] == "clocks/clk_out1"
-    again = session(folder)
+    nets, links = vivado.nets, vivado.links
+    assert nets["macram_0/aclk2x"] == "clocks/clk_out2"
+    slow = [pin for pin, driver in nets.items() if driver == "clocks/clk_out1"]
+    assert {"macram_0/aclk", "reset/slowest_sync_clk", "ps/saxihp0_fpd_aclk", "ps/maxihpm0_fpd_aclk"} <= set(
+        slow
+    )
+    assert len([pin for pin in slow if pin.startswith("dma_")]) == 8, "two of each DMA, and one per receiver"
+    assert nets["clocks/resetn"] == nets["reset/ext_reset_in"] == "ps/pl_resetn0"
+    assert nets["reset/dcm_locked"] == "clocks/locked"
+    assert nets["dma_residual/axi_resetn"] == nets["macram_0/aresetn"] == "reset/peripheral_aresetn"
+    assert links["dma_residual/M_AXIS_MM2S"] == "macram_0/s_axis_residual"
+    assert links["macram_0/m_axis_residual"] == "dma_residual/S_AXIS_S2MM"
+    widths = vivado.configuration["dma_residual"], vivado.configuration["dma_image"]
+    assert [one["c_m_axis_mm2s_tdata_width"] for one in widths] == ["64", "32"]
+    assert [one["c_s_axis_s2mm_tdata_width"] for one in widths] == ["64", "32"]
+    assert [name for name, *_ in vivado.windows["ps/Data"]] == [
+        "macram_0/s_axi/reg0",
+        *(f"dma_{name}/S_AXI_LITE/Reg" for name in ("image", "param", "residual")),
+    ]
+    again = session(double_folder)
     again.source("ooc.tcl")
     assert again.clocks == {"aclk": 10.0, "aclk2x": 5.0}
 
 
-def test_build_with_a_further_stream(folder):
-    directions = zip(("input [31:0]", "input", "output", "input"), STREAM, strict=True)
-    add_ports(folder, [f"{direction} s_axis_residual_{name}" for direction, name in directions])
+@pytest.mark.parametrize("packs", ["drops", "unknown", "mem"])
+def test_memory_images_reach_synthesis_whatever_packaging_does_with_them(folder, packs):
     vivado = session(folder)
+    vivado.packs = packs
     vivado.source("build.tcl")
-    assert vivado.links["dma_residual/M_AXIS_MM2S"] == "macram_0/s_axis_residual"
-    assert len(vivado.windows["ps/Data"]) == 4
+    images = {path.name for path in (folder / "mem").glob("*.mem")}
+    assert len(images) == TINY.units + 1
+    assert {path.name for path in (folder / "ip/src").glob("*.mem")} == images
+    for group in ("synthesis", "behavioralsimulation"):
+        listed = vivado.groups[f"xilinx_anylanguage{group}"]
+        assert {Path(name).name for name in listed if name.endswith(".mem")} == images
+        assert len(listed) == len(set(listed))
+
+
+def test_memory_images_hold_words_alone(exported):
+    for path in (exported / "mem").glob("*.mem"):
+        assert "//" not in path.read_text(), path.name
+    lines = (exported / "mem/unit_000.mem").read_text().split()
+    assert len(lines) == TINY.weight_depth, "as many as the memory has words"
+
+
+@pytest.mark.parametrize("script", ["build.tcl", "ooc.tcl"])
+def test_a_memory_image_that_is_lost_ends_the_build(folder, script):
+    (folder / "mem/unit_002.mem").unlink()
+    with pytest.raises(VivadoError, match=r"lacks the memory image unit_002\.mem"):
+        session(folder).source(script)
 
 
 def test_out_of_context(folder):
@@ -247,16 +312,23 @@ def test_what_goes_wrong_in_vivado_is_said(folder):
         ("settings.tcl", "m_axis axis master", "m_axis axis slave", "is an output in a slave"),
         ("settings.tcl", "0xA0010000 0x10000", "0xA0000000 0x10000", "overlaps macram_0"),
         ("settings.tcl", "0xA0020000", "0x80020000", "out of reach"),
-        ("settings.tcl", "stream_bits) 32", "stream_bits) 64", "differ: axis 64"),
+        ("settings.tcl", "s_axis 32 {m_axis} 32", "s_axis 64 {m_axis} 32", "differ: axis 64"),
+        ("settings.tcl", "s_axis 32 {m_axis} 32", "s_axis 32 {} 0", "m_axis is open"),
         ("settings.tcl", "clock_mhz) 100", "clock_mhz) 90", "pl_clk0 runs at 90"),
         ("package_ip.tcl", "ACTIVE_LOW", "ACTIVE_HIGH", "low active"),
-        ("package_ip.tcl", "mem *.mem", "rtl *.v", "no memory images"),
+        ("package_ip.tcl", "mem *.mem", "mem unit_*.mem", "lacks the memory image requant.mem"),
+        ("package_ip.tcl", "    ensure_memory_images $core $root $images\n", "", "lacks the memory image requant"),
+        ("package_ip.tcl", "set_property type mem $file", "", "of type unknown: synthesis passes it over"),
+        ("package_ip.tcl", "[string match *simulation $name]", "0", "simulation of the core lacks the memory"),
+        ("package_ip.tcl", " -import_files", "", "point at files outside"),
+        ("build.tcl", "\ninsist_on_memory_images\n", "\n", "missing would only be a warning"),
+        ("build.tcl", "synth_checkpoint_mode None", "synth_checkpoint_mode Hierarchical", "severities of its own"),
+        ("mem/unit_003.mem", "0", "// 0", "unit_003.mem, line 1 is no word: //"),
         ("design.tcl", "fan_out reset/peripheral_aresetn $held", "", "aresetn is open"),
         ("design.tcl", "lappend clocked $dma/m_axi_s2mm_aclk", "", "m_axi_s2mm_aclk is open"),
         ("design.tcl", "lappend memory $dma/M_AXI_S2MM", "", "M_AXI_S2MM is open"),
         ("design.tcl", "lappend spaces $dma/Data_S2MM", "", "Data_S2MM does not see"),
         ("design.tcl", "PSU__USE__M_AXI_GP1 0", "PSU__USE__M_AXI_GP1 1", "maxihpm1_fpd_aclk is open"),
-        ("design.tcl", "dma_image\"}]", "dma_param\"}]", "the image and its result have different DMAs"),
         ("design.tcl", "c_include_sg 0", "c_include_sg 1", "m_axi_sg_aclk is open"),
         ("design.tcl", "c_sg_length_width", "c_length_width", "no parameter c_length_width"),
         ("design.tcl", "HP0_DDR_HIGH HP0_LPS_OCM HP0_QSPI", "HP0_DDR_HIGH HP0_LPS_OCM", "HP0_QSPI is neither"),
@@ -269,7 +341,7 @@ def test_the_model_notices_faults(folder, script, right, wrong, message):
     path = folder / script
     text = path.read_text()
     assert right in text
-    path.write_text(text.replace(right, wrong))
+    path.write_text(text.replace(right, wrong, 1))
     with pytest.raises(VivadoError, match=message):
         session(folder).source("build.tcl")
 
@@ -287,10 +359,12 @@ def test_the_model_notices_faults(folder, script, right, wrong, message):
         ("fan_out clocks/locked {reset/dcm_locked}", "", "nothing waits"),
         ("set clock clocks/clk_out1", "set clock ps/pl_clk0", "two sources of clocks"),
         ("RESET_TYPE ACTIVE_LOW", "RESET_TYPE ACTIVE_HIGH", "wrong polarity"),
+        ("join_interfaces macram_0/$answer $dma/S", "join_interfaces macram_0/m_axis $dma/S", "is taken"),
+        ("lappend spaces $dma/Data_S2MM", "", "dma_image/Data_S2MM does not see"),
     ],
 )
-def test_the_model_notices_faults_of_two_clocks(folder, right, wrong, message):
-    add_ports(folder, ["input aclk2x"])
+def test_the_model_notices_faults_of_two_clocks(double_folder, right, wrong, message):
+    folder = double_folder
     path = folder / "design.tcl"
     text = path.read_text()
     assert right in text
@@ -317,13 +391,16 @@ def test_the_model_notices_faults_of_two_clocks(folder, right, wrong, message):
         (lambda ports: ports.update(m_axis_tvalid=ports["aclk"]), "is a master by its name"),
         (
             lambda ports: ports.update({f"m_axis_b_{name}": ports[f"m_axis_{name}"] for name in STREAM}),
-            "no place for the stream m_axis_b",
+            "the stream m_axis_b answers no stream s_axis_b",
         ),
     ],
 )
 def test_a_top_level_that_does_not_fit_is_refused(exported, change, message):
     ports = read_ports((exported / "rtl/macram_top.v").read_text(), "macram_top")
-    assert set(ports) == set(vivado_model.verilog_ports(exported / "rtl/macram_top.v"))
+    directions, widths = vivado_model.verilog_ports(exported / "rtl/macram_top.v")
+    assert {name: (port.direction, port.width) for name, port in ports.items()} == {
+        name: (direction, widths[name]) for name, direction in directions.items()
+    }
     find_interfaces(ports)
     change(ports)
     with pytest.raises(ValueError, match=message):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-from vivado_package import Packager, expect
+from vivado_images import expect
+from vivado_package import Packager
 
 COMMANDS = {
     "create_bd_design": ("", "", (1, 1)),
@@ -58,6 +59,7 @@ class BlockDesign(Packager):
     """Cells, nets and addresses; pins are ``cell/pin`` without a leading slash.
 
     Attributes:
+        widths: port of ``macram_top`` -> its bits.
         cells: name -> kind of core.
         configuration: name -> parameter -> value.
         nets: input pin -> the pin that drives it.
@@ -65,8 +67,9 @@ class BlockDesign(Packager):
         windows: address space -> list of (segment, offset, range).
     """
 
-    def __init__(self, ports):
+    def __init__(self, ports, widths):
         super().__init__(ports)
+        self.widths = widths
         self.cells, self.configuration = {}, {}
         self.nets, self.links, self.windows, self.excluded = {}, {}, {}, set()
         self.automated = self.validated = self.saved = False
@@ -143,7 +146,7 @@ class BlockDesign(Packager):
             name: (
                 self.properties[f"bus:{name}", "interface_mode"],
                 "mm" if name == "s_axi" else "axis",
-                None if name == "s_axi" else self.stream_bits,
+                None if name == "s_axi" else self.widths[f"{name}_tdata"],
                 self.bus[name]["clock"],
             )
             for name in self.bus
@@ -241,9 +244,14 @@ class BlockDesign(Packager):
             (_, kind, bits, _), (_, other, width, _) = self._interface(one), self._interface(two)
             expect(kind == other and bits == width, f"{one} and {two} differ: {kind} {bits}, {other} {width}")
             expect(self._clock(one) == self._clock(two), f"{one} and {two} have different clocks")
-        image = next(one for one, two in self.links.items() if two == "macram_0/s_axis").partition("/")[0]
-        result = self.links["macram_0/m_axis"].partition("/")[0]
-        expect(image == result, "the image and its result have different DMAs")
+        for one, two in self.links.items():
+            if one.startswith("macram_0/m_axis"):
+                question = one.replace("m_axis", "s_axis")
+                (feeder,) = (master for master, slave in self.links.items() if slave == question)
+                expect(
+                    feeder.partition("/")[0] == two.partition("/")[0],
+                    f"{question} and {one} have different DMAs",
+                )
         expect(self.configuration["ps"]["PSU__USE__IRQ0"] == "0", "an interrupt input is open")
         self._validate_clocks()
         self._validate_addresses()

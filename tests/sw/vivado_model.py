@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 import vivado_block
 import vivado_package
-from vivado_package import VivadoError, expect
+from vivado_images import VivadoError, expect
 
 # Options that take a value, options that do not, and how many plain words may follow.
 COMMANDS = {
@@ -63,6 +63,8 @@ PROPERTIES = {
     "map": {"physical_name"},
     "parameter": {"value"},
     "block": {"name", "range", "width", "usage"},
+    "file": {"type"},
+    "macram.bd": {"synth_checkpoint_mode"},
 }
 
 
@@ -84,16 +86,16 @@ def tcl_error():
 
 
 def verilog_ports(path):
-    """Port names and directions of ``macram_top``, from the module header and the declarations."""
+    """Ports of ``macram_top``, from the module header and the declarations: name -> direction, name -> bits."""
     text = path.read_text()
     text = text[re.search(r"^module macram_top\(", text, re.MULTILINE).start() :]
     text = text[: text.index("\nendmodule")]
     header = re.search(r"^module macram_top\((.*?)\);", text, re.DOTALL | re.MULTILINE)[1]
     names = {name.strip() for name in header.replace("\n", " ").split(",")}
-    found = re.findall(r"^  (input|output) (?:\[\d+:0\] )?(\w+);$", text, re.MULTILINE)
-    declared = {name: direction for direction, name in found}
+    found = re.findall(r"^  (input|output) (?:\[(\d+):0\] )?(\w+);$", text, re.MULTILINE)
+    declared = {name: direction for direction, _, name in found}
     assert names == set(declared)
-    return declared
+    return declared, {name: int(msb or 0) + 1 for _, msb, name in found}
 
 
 class Vivado(vivado_block.BlockDesign):
@@ -108,7 +110,7 @@ class Vivado(vivado_block.BlockDesign):
     """
 
     def __init__(self, folder: Path):
-        super().__init__(verilog_ports(folder / "rtl/macram_top.v"))
+        super().__init__(*verilog_ports(folder / "rtl/macram_top.v"))
         self.folder = folder
         self.parts = {"xczu3eg-sbva484-1-i", "xczu3eg-sbva484-1-e"}
         self.boards = []
@@ -214,6 +216,9 @@ class Vivado(vivado_block.BlockDesign):
     def launch_runs(self, name, to_step="", jobs="1"):
         self.get_runs(name)
         expect(self.properties.get(("fileset", "top")) == "macram_wrapper", "the wrapper is not the top")
+        mode = self.properties.get(("macram.bd", "synth_checkpoint_mode"))
+        expect(mode == "None", "the core is synthesised in a run with severities of its own")
+        self.check_severity()
         if name == "impl_1" and to_step == "write_bitstream" and name not in self.failing:
             for path in ("runs/impl_1/macram_wrapper.bit", "gen/sources_1/bd/macram/hw_handoff/macram.hwh"):
                 product = self.project / f"macram.{path}"
@@ -252,6 +257,8 @@ class Vivado(vivado_block.BlockDesign):
     def synth_design(self, top, part, mode):
         expect(top == "macram_top" and mode == "out_of_context" and part in self.parts, "wrong synthesis")
         expect(any(file.endswith("macram_top.v") for file in self.files), "no top level was read")
+        self.check_severity()
+        self.check_project_images()
 
     def set_property(self, *words, dict=False):
         if dict:
@@ -260,6 +267,7 @@ class Vivado(vivado_block.BlockDesign):
                 self.set_property(name, value, target)
             return
         name, value, target = words
+        expect(target, f"nothing to set {name} of")
         kind = target.partition(":")[0]
         if kind == "cell":
             self.configure(target.partition(":")[2], name, value)
@@ -271,4 +279,6 @@ class Vivado(vivado_block.BlockDesign):
         if target.startswith("run:"):
             stopped = target.partition(":")[2] in self.failing
             return {"PROGRESS": "40%" if stopped else "100%", "STATUS": "route_design ERROR"}[name]
+        if target.startswith("group:"):
+            return {"name": target.partition(":")[2]}[name]
         return {("SLACK", "path"): str(self.slack)}[name, target]

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import vivado_images
+from vivado_images import MemoryImages, expect
+
 COMMANDS = {
+    **vivado_images.COMMANDS,
     "ipx::package_project": ("-root_dir -vendor -library -taxonomy", "-import_files", (0, 0)),
     "ipx::current_core": ("", "", (0, 0)),
     "ipx::get_bus_interfaces": ("-of_objects", "-quiet", (0, 1)),
@@ -51,16 +57,7 @@ SIGNALS = {
 """Bus type -> logical names with their direction at a master."""
 
 
-class VivadoError(Exception):
-    """What the model refuses."""
-
-
-def expect(condition, message):
-    if not condition:
-        raise VivadoError(message)
-
-
-class Packager:
+class Packager(MemoryImages):
     """One core being packaged.
 
     Attributes:
@@ -70,17 +67,19 @@ class Packager:
         memory: memory map -> address blocks.
         properties: (object, name) -> value, of every object that is no cell.
         catalogue: full names of the cores that were saved.
-        files: sources of the project.
     """
 
     def __init__(self, ports):
+        super().__init__()
         self.ports = ports
         self.infers = True
         self.bus, self.memory, self.core = {}, {}, {}
-        self.properties, self.catalogue, self.files = {}, set(), []
+        self.properties, self.catalogue = {}, set()
 
     def ipx_package_project(self, root_dir, vendor, library, taxonomy, import_files=False):
         self.core = {"vendor": vendor, "library": library, "root": root_dir}
+        expect(import_files, "the core would point at files outside of its folder")
+        self.import_sources(Path(root_dir))
         if not self.infers:
             return
         for name in {port.removesuffix("_tdata") for port in self.ports if port.endswith("_tdata")}:
@@ -172,7 +171,7 @@ class Packager:
         )
         expect(self.properties["bus:s_axi", "slave_memory_map_ref"] == "s_axi", "no memory map")
         expect(self.properties["block:reg0", "range"] == "4096", "the registers' block")
-        expect(any(file.endswith(".mem") for file in self.files), "the core has no memory images")
+        self.check_core_images()
         self.catalogue = {":".join((
             self.core["vendor"], self.core["library"],
             self.properties["core", "name"], self.properties["core", "version"],

@@ -16,7 +16,8 @@ DETAIL = (
     "Writes designs.html, designs.md, designs.json and pictures: cycles, multiply-accumulates per cycle, "
     "utilisation and lost cycles of the reference layer and of every convolution of the network, a roofline, and "
     "bars beside the paper's table VI and published engines. Cycles are the closed form's; --simulate runs the "
-    "reference layer on the exported Verilog, compares every code, and takes the array's own counters."
+    "reference layer on the exported Verilog, compares every code, and takes the array's own counters. LUT, FF, DSP "
+    "and RAMB36, and with them the densities, are those of macram synth, if it has counted exactly this design."
 )
 
 
@@ -32,6 +33,12 @@ def add_designs(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -
         metavar="SIZE",
         help="network for the layer tables: paper, quarter, eighth, paper-front, tiny, or none (default: paper)",
     )
+    sub.add_argument(
+        "--synth",
+        type=Path,
+        metavar="DIR",
+        help="where macram synth wrote its counts (default: build/synth); only those of the very same design are taken",
+    )
     sub.add_argument("--simulate", action="store_true", help="run the reference layer on every array")
     sub.add_argument("--seed", type=int, default=2022, help="of the simulated codes (default: 2022)")
     sub.add_argument("-o", "--out", type=Path, default=Path("build/designs"), metavar="DIR")
@@ -41,7 +48,8 @@ def designs(arguments: argparse.Namespace) -> int:
     """Describe every array, write the pages; 1 if a simulated code differs."""
     from macram.cli.console import open_console  # noqa: PLC0415
     from macram.cli.stages import Stages  # noqa: PLC0415
-    from macram.designs import describe, write_designs  # noqa: PLC0415
+    from macram.cli.synth_verb import SYNTH_FOLDER  # noqa: PLC0415
+    from macram.designs import describe, find_resources, write_designs  # noqa: PLC0415
     from macram.report.versions import machine, versions  # noqa: PLC0415
     from macram.spec import ArrayConfig  # noqa: PLC0415
 
@@ -56,14 +64,23 @@ def designs(arguments: argparse.Namespace) -> int:
     console = open_console()
     stages = Stages(console)
     arguments.out.mkdir(parents=True, exist_ok=True)
-    results, passed = [], True
-    for array in arrays:
+    counts = arguments.synth or SYNTH_FOLDER
+    if arguments.synth is not None and not counts.is_dir():
+        raise ValueError(f"{counts}: no such folder; name the one that macram synth wrote to")
+    results, passed, uncounted = [], True, []
+    for array, config in zip(arrays, arguments.configs or [None], strict=True):
         counters = None
         if arguments.simulate:
             counters, equal = _simulate(array, arguments.seed, arguments.out / array.name, stages)
             passed &= equal
         with stages(f"{array.name}: every layer"):
-            results.append(describe(array, runs, simulated=counters))
+            resources = find_resources(array, counts)
+            results.append(describe(array, runs, simulated=counters, resources=resources))
+        if resources is None:
+            uncounted.append(
+                f"{array.name}: {counts} has no counts of this design as it is now; "
+                f"macram synth {config or 'CONFIG.toml'} makes them"
+            )
     with stages("tables and pictures"):
         page = write_designs(
             arguments.out,
@@ -76,6 +93,8 @@ def designs(arguments: argparse.Namespace) -> int:
         row = design.reference
         what = row["refused"] or f"{row['cycles']:,} cycles, {row['ms']:.3f} ms at 100 MHz"
         console.print(f"{design.array.name}: {what}", highlight=False, markup=False, soft_wrap=True)
+    for line in uncounted:
+        console.print(line, highlight=False, markup=False, soft_wrap=True)
     console.print(str(page), highlight=False, markup=False, soft_wrap=True)
     return 0 if passed else 1
 
@@ -109,4 +128,5 @@ def _simulate(array: ArrayConfig, seed: int, folder: Path, stages: Stages) -> tu
 def _command(arguments: argparse.Namespace) -> str:
     """What to type to get the same again."""
     words = ["macram designs", *map(str, arguments.configs), f"--network {arguments.network}"]
+    words += [f"--synth {arguments.synth}"] if arguments.synth else []
     return " ".join([*words, *(["--simulate"] if arguments.simulate else []), f"--seed {arguments.seed}"])

@@ -44,7 +44,10 @@ def add_export(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) ->
     export.add_argument("target", choices=["vivado"], help="the tool to export for")
     export.add_argument("-o", "--out", type=Path, required=True, metavar="DIR", help="folder to write")
     export.add_argument(
-        "--config", type=Path, metavar="CONFIG.toml", help="array to build (default: the reference array)"
+        "--config",
+        type=Path,
+        metavar="CONFIG.toml",
+        help="array to build (default: configs/zu3eg.toml, the fastest that fits the board's device)",
     )
     layer = export.add_mutually_exclusive_group()
     layer.add_argument(
@@ -66,10 +69,10 @@ def export(arguments: argparse.Namespace) -> int:
     # Late: the grammar above is loaded by every command, NumPy and Amaranth are not.
     from macram.cli.console import open_console  # noqa: PLC0415
     from macram.cli.stages import Stages  # noqa: PLC0415
-    from macram.export import export_vivado  # noqa: PLC0415
+    from macram.export import default_array, export_vivado  # noqa: PLC0415
     from macram.spec import ArrayConfig  # noqa: PLC0415
 
-    array = ArrayConfig() if arguments.config is None else ArrayConfig.from_toml(arguments.config)
+    array = default_array() if arguments.config is None else ArrayConfig.from_toml(arguments.config)
     console = open_console()
     stages = Stages(console)
     case = _case(arguments, array, stages)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+SYNTH_FOLDER = Path("build/synth")
+"""Where counts are written, a folder per array and device, and where ``macram designs`` looks for them."""
 SYNTH_EPILOG = """\
 how cells are counted:
   xczu3eg   LUT1 to LUT6, each LUT of a LUT memory and each shift register one LUT; BRAM in RAMB36 (RAMB18 is 0.5)
@@ -18,7 +21,7 @@ limits: 80 % of the LUTs, all of the rest. A design above them: exit status 1; t
 
 examples:
   macram synth configs/tiny.toml
-  macram synth configs/ecp5-85k.toml --device ecp5-85k -o build/synth/ecp5
+  macram synth configs/ecp5-85k.toml --device ecp5-85k
 """
 BITSTREAM_EPILOG = """\
 The array is built into a self-test: image beats from a generator, weights in the bitstream, output into a CRC that
@@ -35,7 +38,7 @@ def add_parsers(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -
         "synth",
         "synth_verb",
         "count an array's LUT, FF, DSP and BRAM by synthesis",
-        "Runs Yosys; writes synth.json and synth.md.",
+        "Runs Yosys; writes synth.json and synth.md. macram designs takes the figures from there.",
     )
     _lines(synth_parser, SYNTH_EPILOG)
     synth_parser.add_argument("config", type=Path, metavar="CONFIG.toml", help="array to synthesise")
@@ -45,7 +48,9 @@ def add_parsers(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -
     synth_parser.add_argument(
         "--flat", action="store_true", help="as one module: exact and slow (default: module by module)"
     )
-    _out(synth_parser, "build/synth")
+    synth_parser.add_argument(
+        "-o", "--out", type=Path, metavar="DIR", help="default: build/synth/NAME-DEVICE, with -flat"
+    )
     _timeout(synth_parser, 1800)
 
     bitstream_parser = verb(
@@ -80,12 +85,11 @@ def synth(arguments: argparse.Namespace) -> int:
     _check_timeout(arguments)
     console = open_console()
     device = DEVICES[arguments.device]
+    out = arguments.out or SYNTH_FOLDER / _folder_name(config.name, device.name, arguments.flat)
     with Stages(console)(f"Yosys, array {config.name} on {device.name}"):
-        report = cost.synthesise(
-            config, device, arguments.out, flat=arguments.flat, timeout=arguments.timeout
-        )
+        report = cost.synthesise(config, device, out, flat=arguments.flat, timeout=arguments.timeout)
     _show(report["note"], tables.COST_COLUMNS, tables.cost_rows(report))
-    _write(arguments.out / "synth", report, tables.cost_markdown(report))
+    _write(out / "synth", report, tables.cost_markdown(report))
     if report["excess"]:
         print(
             f"macram: array {config.name} does not fit {device.name}: {'; '.join(report['excess'])}; "
@@ -126,6 +130,10 @@ def bitstream(arguments: argparse.Namespace) -> int:
         )
         return 1
     return 0
+
+
+def _folder_name(array: str, device: str, flat: bool) -> str:
+    return re.sub(r"[^\w.-]", "_", f"{array}-{device}{'-flat' if flat else ''}")
 
 
 def _show(title: str, columns: tuple[str, ...], rows: list[list[str]]) -> None:

@@ -2,5 +2,6 @@
 
 from macram.designs.design import Design, describe, describe_layer
 from macram.designs.page import write_designs
+from macram.designs.resources import find_resources
 
-__all__ = ["Design", "describe", "describe_layer", "write_designs"]
+__all__ = ["Design", "describe", "describe_layer", "find_resources", "write_designs"]

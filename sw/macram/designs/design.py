@@ -7,13 +7,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from macram.designs.losses import LOSSES, lost_cycles
 from macram.perf import estimate, pixel_in_cycles, pixel_out_cycles
 from macram.report.latency import REFERENCE
 from macram.spec import ArrayConfig, ConvSpec, pass_specs
 
 CLOCK_HZ = 100_000_000
 """The clock of the paper's accelerator; all milliseconds are cycles at this clock."""
-CAUSES = ("fill", "stall", "drain")
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Design:
         reference: row of the reference layer, see `describe_layer`; its ``simulated`` is the array's own counters.
         layers: rows of a network's layers in order; empty without a network.
         network: totals over ``layers``.
-        resources: from synthesis: ``lut``, ``ff``, ``dsp``, ``bram``, ``device``, ...; None where not synthesised.
+        resources: from synthesis, see `macram.designs.resources.find_resources`; None where not synthesised.
     """
 
     array: ArrayConfig
@@ -76,7 +76,7 @@ def describe(
         array: the configuration.
         runs: convolutions of a network: ``name``, ``part`` and the shape fields of `ConvSpec`.
         simulated: counters of the reference layer's simulation, by lower-case register name.
-        resources: from synthesis.
+        resources: from synthesis, see `macram.designs.resources.find_resources`.
     """
     reference = describe_layer(array, "reference", "", REFERENCE, simulated)
     layers = tuple(describe_layer(array, str(run["name"]), str(run["part"]), _shape(run)) for run in runs)
@@ -97,7 +97,7 @@ def describe_layer(
         "width": layer.width, "kernel": layer.kernel, "stride": layer.stride, "macs": layer.macs,
         "macs_per_beat": layer.macs / max(beats_in(layer, array), beats_out(layer, array)),
         "refused": None, "passes": None, "cycles": None, "macs_per_cycle": None, "utilisation": None, "ms": None,
-        "estimate": None, "simulated": None,
+        "estimate": None, "simulated": None, "lost": None,
     }  # fmt: skip
     try:
         passes = [estimate(part, array) for part in pass_specs(layer, array)]
@@ -115,12 +115,13 @@ def describe_layer(
     }
     if simulated is not None:
         row["simulated"], total = dict(simulated), simulated["cycles"]
-    return row | {
+    row |= {
         "cycles": total,
         "macs_per_cycle": layer.macs / total,
         "utilisation": layer.macs / (total * array.peak_macs),
         "ms": 1e3 * total / CLOCK_HZ,
     }
+    return row | {"lost": lost_cycles(row, array.peak_macs)}
 
 
 def beats_in(layer: ConvSpec, array: ArrayConfig) -> int:
@@ -148,5 +149,5 @@ def _totals(rows: tuple[dict[str, Any], ...]) -> dict[str, Any]:
         "layers": len(rows), "on_array": len(run), "macs": sum(row["macs"] for row in rows),
         "macs_on_array": macs, "cycles": cycles, "ms": 1e3 * cycles / CLOCK_HZ,
         "macs_per_cycle": macs / cycles if cycles else None,
-        **{cause: sum(row["estimate"][cause] for row in run) for cause in CAUSES},
+        "lost": {cause: sum(row["lost"][cause] for row in run) for cause in ("needed", *LOSSES, "total")},
     }  # fmt: skip

@@ -6,17 +6,16 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from macram.designs.design import CAUSES, Design
+from macram.designs.design import Design
+from macram.designs.losses import LOSSES
 from macram.designs.peers import PEERS
 from macram.designs.plots import density_png, latency_png, roofline_png
 from macram.report.files import write_bytes, write_json, write_text
-from macram.report.latency import NOTE, PAPER_TABLE_VI
+from macram.report.latency import NOTE, PAPER_NOTE, PAPER_TABLE_VI
 from macram.report.page import inline_png, page_environment
 
-HEAD = (
-    "design", "cycles", "from", "ms at 100 MHz", "MAC/cycle", "of peak", "per DSP", "per kLUT",
-    "DSP", "LUT", "FF", "RAMB36",
-)  # fmt: skip
+HEAD = ("design", "cycles", "from", "ms at 100 MHz", "MAC/cycle", "of peak")
+RESOURCE_HEAD = ("design", "DSP", "LUT", "FF", "RAMB36", "MAC/cycle/DSP", "MAC/cycle/kLUT", "counted")
 LAYER_HEAD = (
     "layer",
     "part",
@@ -26,9 +25,23 @@ LAYER_HEAD = (
     "cycles",
     "MAC/cycle",
     "of peak",
-    *CAUSES,
+    *LOSSES,
     "ms",
     "",
+)
+LOST_HEAD = ("design", "layers", "needed at the peak", *LOSSES, "total")
+LOST_NOTE = (
+    "Cycles. Needed: the multiply-accumulates at the array's peak. Unused: engines without work in a compute step, "
+    "because channels, columns or the kernel do not fill them. Fill: before the first step. Stall: between steps, "
+    "waiting for input, drain or output. Drain: after the last. Simulated layers have the array's own counters."
+)
+DSP_NOTE = (
+    "From macram synth (Yosys), in percent of the device. Densities are of the reference layer, per cycle of the "
+    "array's clock; slices of engine dsp48e2_2x run at twice that clock."
+)
+CLOSED_FORM = (
+    "Closed form: the cycles that a simulation with undisturbed streams counts, exactly so where no stream is the "
+    "limit. "
 )
 PEER_HEAD = ("design", "device", "bits", "MAC/cycle", "per DSP", "per kLUT", "what the figure is", "source")
 
@@ -52,8 +65,9 @@ def write_designs(
         OSError: the folder is missing or not writable.
     """
     pictures = {"latency.png": latency_png(designs)}
-    if any(design.density["macs_per_dsp"] is not None for design in designs):
-        pictures["density.png"] = density_png(designs)
+    for name, kind in (("density.png", "dsp"), ("density-lut.png", "klut")):
+        if any(design.density[f"macs_per_{kind}"] is not None for design in designs):
+            pictures[name] = density_png(designs, kind)
     pictures |= {
         f"roofline-{design.array.name}.png": roofline_png(design) for design in designs if design.rows
     }
@@ -69,8 +83,10 @@ def write_designs(
     write_json(folder / "designs.json", table)
     write_text(folder / "designs.md", markdown(designs, network, command, list(pictures)))
     page = page_environment().get_template("designs.html.j2").render(
-        designs=designs, network=network, command=command, note=NOTE,
-        head=HEAD, rows=[design_cells(design) for design in designs],
+        designs=designs, network=network, command=command,
+        head=HEAD, rows=[design_cells(design) for design in designs], note=note(designs),
+        resource_head=RESOURCE_HEAD, resources=[resource_cells(design) for design in designs],
+        lost_head=LOST_HEAD, lost=lost_cells(designs), lost_note=LOST_NOTE, dsp_note=DSP_NOTE,
         layer_head=LAYER_HEAD, layer_rows=[[layer_cells(row) for row in design.layers] for design in designs],
         peer_head=PEER_HEAD, peers=peer_cells(),
         pictures={name: inline_png(content) for name, content in pictures.items()},
@@ -79,37 +95,83 @@ def write_designs(
     return folder / "designs.html"
 
 
+def note(designs: Sequence[Design]) -> str:
+    """What the milliseconds of the reference layer are, and what the paper's are."""
+    measured = all(design.reference["simulated"] for design in designs)
+    return NOTE if measured else CLOSED_FORM + PAPER_NOTE
+
+
 def markdown(designs: Sequence[Design], network: str, command: str, pictures: Sequence[str]) -> str:
     """The tables as a Markdown page."""
     lines = ["# Designs", "", f"Written by `{command}`.", "", "## Reference layer", ""]
     lines += _table(HEAD, [design_cells(design) for design in designs], left={0, 2})
-    lines += ["", NOTE, "", *(f"![{name}]({name})" for name in pictures), ""]
+    lines += ["", note(designs), "", "## Resources", ""]
+    lines += [
+        *_table(RESOURCE_HEAD, [resource_cells(design) for design in designs], left={0, 7}),
+        "",
+        DSP_NOTE,
+        "",
+    ]
+    lines += [
+        "## Where the cycles go",
+        "",
+        *_table(LOST_HEAD, lost_cells(designs), left={0, 1}),
+        "",
+        LOST_NOTE,
+        "",
+    ]
+    lines += [*(f"![{name}]({name})" for name in pictures), ""]
     for design in designs:
         if design.layers:
             total = design.network
             lines += [
-                f"## {design.array.name}: every convolution of {network}", "",
+                f"## {design.array.name}: every convolution of the network ({network})", "",
                 f"{total['on_array']} of {total['layers']} run on the array as one pass or more: "
                 f"{total['macs_on_array']:,} of {total['macs']:,} MAC in {total['cycles']:,} cycles, "
                 f"{total['ms']:.1f} ms at 100 MHz.", "",
             ]  # fmt: skip
-            lines += [*_table(LAYER_HEAD, [layer_cells(r) for r in design.layers], left={0, 1, 2, 3, 12}), ""]
+            lines += [*_table(LAYER_HEAD, [layer_cells(r) for r in design.layers], left={0, 1, 2, 3, 13}), ""]
     lines += ["## Published engines", "", *_table(PEER_HEAD, peer_cells(), left={0, 1, 6, 7}), ""]
     return "\n".join(lines)
 
 
 def design_cells(design: Design) -> list[str]:
-    """One row under `HEAD`; empty where not measured."""
-    row, density, have = design.reference, design.density, design.resources or {}
-    name = f"{design.array.name} ({design.array.units} x {design.array.rows}, {design.array.engine})"
+    """One row under `HEAD`."""
+    row, array = design.reference, design.array
+    name = f"{array.name} ({array.units} x {array.rows}, {array.engine})"
     if row["refused"] is not None:
         return [name, "", row["refused"], *[""] * (len(HEAD) - 3)]
     return [
         name, f"{row['cycles']:,}", "simulation" if row["simulated"] else "closed form", f"{row['ms']:.3f}",
         f"{row['macs_per_cycle']:,.0f}", f"{100 * row['utilisation']:.1f} %",
-        _number(density["macs_per_dsp"], 1), _number(density["macs_per_klut"], 1),
-        *(_number(have.get(kind), 0) for kind in ("dsp", "lut", "ff", "bram")),
     ]  # fmt: skip
+
+
+def resource_cells(design: Design) -> list[str]:
+    """One row under `RESOURCE_HEAD`; empty where not synthesised."""
+    have, density, name = design.resources, design.density, design.array.name
+    if have is None:
+        return [name, *[""] * (len(RESOURCE_HEAD) - 2), "not yet: macram synth on its configuration"]
+    counts = [
+        f"{_number(have[kind], 1 if have[kind] % 1 else 0)} ({have['percent'][kind]:.0f} %)"
+        for kind in ("dsp", "lut", "ff", "bram")
+    ]
+    how = f"{have['mode']}, {have['device']}" + ("" if have["fits"] else ", which is too small for it")
+    return [
+        name, *counts, _number(density["macs_per_dsp"], 1), _number(density["macs_per_klut"], 1),
+        f"{how}; design {have['design'][:12]}",
+    ]  # fmt: skip
+
+
+def lost_cells(designs: Sequence[Design]) -> list[list[str]]:
+    """Rows under `LOST_HEAD`: the reference layer of each design, and its whole network."""
+    rows = []
+    for design in designs:
+        for layers, row in (("reference layer", design.reference), ("network", design.network)):
+            if row["lost"] is not None and row["cycles"]:
+                cells = [f"{row['lost'][key]:,.0f}" for key in ("needed", *LOSSES, "total")]
+                rows.append([design.array.name, layers, *cells])
+    return rows
 
 
 def layer_cells(row: dict[str, Any]) -> list[str]:
@@ -118,8 +180,8 @@ def layer_cells(row: dict[str, Any]) -> list[str]:
     kernel = f"{row['kernel']}x{row['kernel']}/{row['stride']}"
     start = [row["name"], row["part"], shape, kernel]
     if row["refused"] is not None:
-        return [*start, *[""] * 8, row["refused"]]
-    lost = [f"{row['estimate'][cause]:,}" for cause in CAUSES]
+        return [*start, *[""] * 9, row["refused"]]
+    lost = [f"{row['lost'][cause]:,.0f}" for cause in LOSSES]
     limit = "" if row["estimate"]["limited_by"] == "compute" else f"{row['estimate']['limited_by']} stream"
     return [
         *start, str(row["passes"]), f"{row['cycles']:,}",

@@ -30,6 +30,10 @@ class Peer:
     basis: str
     source: str
 
+    def density(self, kind: str) -> float | None:
+        """`macs_per_dsp` for ``dsp``, `macs_per_klut` for ``klut``."""
+        return {"dsp": self.macs_per_dsp, "klut": self.macs_per_klut}[kind]
+
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON."""
         return asdict(self)

@@ -60,18 +60,23 @@ def latency_png(designs: Sequence[Design]) -> bytes:
     )
 
 
-def density_png(designs: Sequence[Design]) -> bytes:
-    """Multiply-accumulates per cycle and DSP slice, beside published engines."""
-    rows = [
-        (f"{peer.name} ({peer.bits} bit)", peer.macs_per_dsp, THEIRS)
-        for peer in PEERS
-        if peer.macs_per_dsp is not None
-    ]
-    for design in designs:
-        density = design.density["macs_per_dsp"]
-        if density is not None:
-            rows.append((f"{design.array.name} ({design.array.weight.bits} bit)", density, COLOURS[0]))
-    return _bars(rows, "MAC per cycle and DSP slice", "Density on DSP slices", ".1f")
+def density_png(designs: Sequence[Design], kind: str) -> bytes:
+    """Multiply-accumulates per cycle and DSP slice or thousand LUTs, beside published engines.
+
+    Args:
+        designs: those without counts are left out, like peers that publish none.
+        kind: ``dsp`` or ``klut``.
+    """
+    unit = {"dsp": "DSP slice", "klut": "thousand LUTs"}[kind]
+    bars = [(f"{peer.name} ({peer.bits} bit)", peer.density(kind), THEIRS) for peer in PEERS]
+    bars += [(_label(design, kind), design.density[f"macs_per_{kind}"], COLOURS[0]) for design in designs]
+    rows = [(name, value, colour) for name, value, colour in bars if value is not None]
+    return _bars(rows, f"MAC per cycle and {unit}", f"Density per {unit}", ".1f")
+
+
+def _label(design: Design, kind: str) -> str:
+    doubled = kind == "dsp" and design.array.paired_rows
+    return f"{design.array.name} ({design.array.weight.bits} bit{', slices at twice the clock' if doubled else ''})"
 
 
 def _bars(rows: Sequence[tuple[str, float, str]], label: str, title: str, form: str) -> bytes:

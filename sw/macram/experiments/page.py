@@ -3,35 +3,15 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-from macram.data.files import read_json
-from macram.data.geometry import BUCKETS
-from macram.experiments import statistics
+from macram.experiments import sections
 from macram.experiments.curves import curves_svg
-from macram.experiments.plan import RESULT, Job, Plan, read_result
-from macram.experiments.statistics import Frames, read_frames
+from macram.experiments.finished import finished
+from macram.experiments.plan import Plan
 from macram.report.files import write_bytes, write_text
-from macram.weights import read_index
 
 PAGE = "results.md"
-MEBI = 2**20
-LIMITING = "quarter-control.s2022"
-"""The record that 'what limits accuracy' looks into: the best float network."""
-SHOWN = ("quarter-control.s2022", "quarter-w3a3.s2022")
-"""Records whose frames are shown."""
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Finished:
-    """One record with its frames."""
-
-    job: Job
-    table: dict[str, Any]
-    frames: Frames
 
 
 def write_page(plan: Plan, results: Path, out: Path) -> Path:
@@ -55,7 +35,7 @@ def write_page(plan: Plan, results: Path, out: Path) -> Path:
             out / "images/curves.svg",
             curves_svg([(f.job.key, results / f.job.key / "curve.csv") for f in done]),
         )
-    for key in SHOWN:
+    for key in sections.SHOWN:
         if (picture := results / key / "frames.jpg").is_file():
             write_bytes(out / f"images/{key}.jpg", picture.read_bytes())
     write_text(out / PAGE, page(plan, results))
@@ -72,252 +52,14 @@ def page(plan: Plan, results: Path) -> str:
         "hand. `macram experiments list` says how far every row is, `macram experiments run ROW` runs "
         "one.\n\nAll scores are "
         "on rendered data and not comparable with tables on SwissCube or SPEED.",
-        *_data(results),
-        *_shipped(results),
-        *_questions(done),
-        *_seeds(plan, done),
-        *_quantised(done, cited),
-        *_cited(cited),
-        *_curves(done),
-        *_limits(done),
-        *_missing(plan, results),
+        *sections.data(results),
+        *sections.shipped(results),
+        *sections.questions(done),
+        *sections.seeds(plan, done),
+        *sections.quantised(done, cited),
+        *sections.cited(cited),
+        *sections.curves(done),
+        *sections.limits(done),
+        *sections.missing(plan, results),
     ]
     return "\n\n".join(parts) + "\n"
-
-
-def finished(plan: Plan, results: Path) -> list[Finished]:
-    """Every record that is there, in the order of the plan."""
-    return [
-        Finished(job, read_result(results / job.key), read_frames(results / job.key / "frames.csv"))
-        for job in plan.jobs()
-        if (results / job.key / RESULT).is_file()
-    ]
-
-
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    lines = [head, ["---", *("---:" for _ in head[1:])], *rows]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
-
-
-def _data(results: Path) -> list[str]:
-    about = read_json(results / "dataset.json")
-    rows = [
-        [
-            name,
-            f"{split['frames']:,}",
-            str(split["sequences"]),
-            " to ".join(f"{d:.2f}" for d in split["depth_diameters"]),
-            *(str(split["buckets"][bucket]) for bucket in BUCKETS),
-            " / ".join(str(split["mask_pixels"][p]) for p in ("p5", "p50", "p95")),
-        ]
-        for name, split in about["splits"].items()
-    ]
-    return [
-        "## Data\n\n`cubesat1u-v1`: "
-        "`macram data render -o build/data/mini --recipe configs/cubesat1u-v1.toml`; statistics by "
-        "`macram data info build/data/mini --json`. Depth in diameters of the target "
-        f"({about['model']['diameter_mm']:g} mm).",
-        _table(["split", "frames", "sequences", "depth", *BUCKETS, "mask pixels at 5, 50, 95 %"], rows),
-    ]
-
-
-def _shipped(results: Path) -> list[str]:
-    networks = read_index(results.parent / "weights")["networks"]
-    if not networks:
-        return []
-    rows = []
-    for name, about in networks.items():
-        sizes, scores = about["sizes"], about["scores"]
-        rows.append([
-            f"`{name}`", about["stored"], f"{sizes['parameters']:,}",
-            *(f"{sizes[key] / MEBI:.3f}" for key in ("ideal", "codes", "floats", "header", "file")),
-            *(f"{scores['add'][limit]:.2f}" for limit in ("0.1", "0.2", "0.5")), f"{scores['frames']:,}",
-        ])  # fmt: skip
-    return [
-        "## Shipped networks\n\n`macram weights list`. Sizes in MB of 2^20 bytes: *ideal* is parameters "
-        "times bits, as the paper's "
-        "table V counts; the file holds packed codes, what stays floating point, and a header. Scores are "
-        "of the shipped "
-        "file itself.",
-        _table(["name", "form", "parameters", "ideal", "codes", "floats", "header", "file",
-                "ADD-0.1d %", "0.2d %", "0.5d %", "frames"], rows),
-    ]  # fmt: skip
-
-
-def _scores(entry: Finished) -> list[str]:
-    low, high = statistics.share_interval(entry.frames)
-    every = entry.table["ranges"]["all"]["add"]
-    return [
-        f"{entry.table['images']:,}",
-        f"{entry.table['minutes']:g}",
-        *(f"{entry.table['ranges'][name]['add']['0.1']:.2f}" for name in BUCKETS),
-        f"**{every['0.1']:.2f}** ({low:.1f} to {high:.1f})",
-        f"{every['0.2']:.2f}",
-        f"{every['0.5']:.2f}",
-        f"{entry.table['frames']:,}",
-    ]
-
-
-SCORE_COLUMNS = [
-    "images",
-    "minutes",
-    "near %",
-    "medium %",
-    "far %",
-    "all % (95 %)",
-    "all, 0.2d %",
-    "all, 0.5d %",
-    "frames",
-]
-SCORE_NOTE = (
-    'ADD-0.1d (published as "ADI-0.1d") by depth range. In brackets the 95 % interval over test scenes, '
-    "sequences drawn again; it says nothing about other trainings. *Images* and *minutes* are those of "
-    "the row's own stage."
-)
-
-
-def _questions(done: Sequence[Finished]) -> list[str]:
-    rows = [f for f in done if f.job.row.group == "questions"]
-    if not rows:
-        return []
-    devices = ", ".join(sorted({f.table["device"] for f in rows}))
-    parts = [
-        f"## The paper's questions\n\nQuarter width, one training each (seed {rows[0].job.seed}, "
-        f"{devices}). {SCORE_NOTE}",
-        _table(["row", *SCORE_COLUMNS], [[f.job.row.title, *_scores(f)] for f in rows]),
-    ]
-    by_name = {f.job.row.name: f for f in rows}
-    control = by_name.get("quarter-control")
-    if control is not None:
-        lines = [_difference(f, control) for f in rows if f is not control]
-        parts.append("Against the control, on the same frames:\n\n" + "\n".join(lines))
-    return parts
-
-
-def _difference(one: Finished, other: Finished) -> str:
-    points, low, high = statistics.difference(one.frames, other.frames)
-    verdict = "no difference found" if low <= 0 <= high else "better" if points > 0 else "worse"
-    seen = one.table["images"] / other.table["images"]
-    return (
-        f"- {one.job.row.title}: {points:+.1f} points ({low:+.1f} to {high:+.1f}), {verdict} on these "
-        f"frames; its stage saw "
-        f"{seen:.2f} times the images of the control's. One training each: a difference between two seeds "
-        f"is not ruled out."
-    )
-
-
-def _seeds(plan: Plan, done: Sequence[Finished]) -> list[str]:
-    rows = []
-    for row in plan.rows:
-        shares = [
-            f.table["ranges"]["all"]["add"]["0.1"] for f in done if f.job.row is row and row.group == "seeds"
-        ]
-        if shares:
-            mean, deviation = statistics.spread(shares)
-            rows.append([row.title, f"{len(shares)} of {len(row.seeds)}", f"{mean:.2f}", f"{deviation:.2f}"])
-    wanted = [row for row in plan.rows if row.group == "seeds"]
-    head = "## Spread over seeds\n\n"
-    if not rows:
-        names = ", ".join(f"`{row.name}`" for row in wanted)
-        return [
-            f"{head}None of {names} has been run to its end yet, so the spread over trainings is not known."
-        ]
-    return [
-        f"{head}ADD-0.1d on all distances.",
-        _table(["row", "seeds", "mean %", "standard deviation"], rows),
-    ]
-
-
-def _quantised(done: Sequence[Finished], cited: dict[str, Any]) -> list[str]:
-    rows = [f for f in done if f.job.row.group == "quantised"]
-    floats = {f.job.row.name: f for f in done}
-    if not rows:
-        return []
-    lines = []
-    for f in rows:
-        base = floats.get(f.job.row.after)
-        loss = (
-            ["-"]
-            if base is None
-            else ["{:+.1f} ({:+.1f} to {:+.1f})".format(*statistics.difference(f.frames, base.frames))]
-        )
-        theirs = cited["quantised"].get(f.job.row.title)
-        paper = cited["swisscube"]["CA-SpaceNet"][-1]
-        lines.append(
-            [f.job.row.title, *_scores(f), *loss, "-" if theirs is None else f"{theirs - paper:+.2f}"]
-        )
-    return [
-        "## Quantised\n\nLSQ from the float network of stage 1. The loss is against that network on the "
-        "same frames; the paper's "
-        "loss, on SwissCube, is against its float CA-SpaceNet. Operations and shares per mode, to every "
-        "digit of table IV: "
-        "`macram counts`.",
-        _table(["row", *SCORE_COLUMNS, "loss, points (95 %)", "paper's loss"], lines),
-    ]
-
-
-def _cited(cited: dict[str, Any]) -> list[str]:
-    swisscube = [[name, *(f"{v:.2f}" for v in values)] for name, values in cited["swisscube"].items()]
-    return [
-        "## Cited, not comparable\n\nAs the CA-SpaceNet paper prints them (`results/cited.toml`). "
-        "ADI-0.1d in percent on SwissCube, "
-        "other pictures and another spacecraft than ours:",
-        _table(["method", "near", "medium", "far", "all"], swisscube),
-        "SPEED, e_q + e_t:",
-        _table(["method", "score"], [[name, f"{value:.4f}"] for name, value in cited["speed"].items()]),
-    ]
-
-
-def _curves(done: Sequence[Finished]) -> list[str]:
-    if not done:
-        return []
-    parts = ["## Learning curves\n\n![Pose loss over the images seen, every row](images/curves.svg)"]
-    shown = [f for f in done if f.job.key in SHOWN]
-    if shown:
-        parts.append(
-            "## Successes and failures\n\nEight frames of the test split by rank of their error, best to "
-            "worst; true boxes amber, "
-            "predicted ones green with axes."
-        )
-        parts += [f"{f.job.row.title}:\n\n![{f.job.row.title}](images/{f.job.key}.jpg)" for f in shown]
-    return parts
-
-
-def _limits(done: Sequence[Finished]) -> list[str]:
-    chosen = [f for f in done if f.job.key == LIMITING]
-    if not chosen:
-        return []
-    entry = chosen[0]
-    table = statistics.limits(entry.frames)
-    rows = [
-        [line["range"], str(line["frames"]), f"{line['add']:.1f}", f"{line['placed']:.1f}", f"{line['te_d']:.3f}",
-         f"{line['re_deg']:.1f}", f"{line['flipped']:.1f}"]
-        for line in table
-    ]  # fmt: skip
-    every = table[-1]
-    worst = min(table[:-1], key=lambda line: line["placed"])
-    pixels = entry.table["ranges"]["all"]["proj"]["5"]
-    return [
-        f"## What limits accuracy\n\n{entry.job.row.title}. *Placed* is the share of frames whose "
-        f"position alone is within 0.1 d, "
-        f"*flipped* the share turned by more than {statistics.FLIP_DEG:g} degrees.",
-        _table(["range", "frames", "ADD-0.1d %", "placed %", "median position error, d", "median rotation error, deg",
-                "flipped %"], rows),
-        f"In the picture the poses fit: {pixels:.1f} % of all frames reproject within 5 pixels, against "
-        f"{every['add']:.1f} % "
-        f"within 0.1 d. Position comes first: it is within 0.1 d in {every['placed']:.1f} % of all frames "
-        f"and in "
-        f"{worst['placed']:.1f} % in the {worst['range']} range, where 0.1 d is a fraction of a pixel in "
-        f"the size of the target. "
-        f"Rotation is off by {every['re_deg']:.1f} degrees in the median, and {every['flipped']:.1f} % of "
-        f"the frames are turned to "
-        "another face.",
-    ]  # fmt: skip
-
-
-def _missing(plan: Plan, results: Path) -> list[str]:
-    left = [job for job in plan.jobs() if not (results / job.key / RESULT).is_file()]
-    if not left:
-        return []
-    lines = [f"- `macram experiments run {job.row.name} --seed {job.seed}`: {job.row.title}" for job in left]
-    return ["## Not run yet\n\n" + "\n".join(lines)]

@@ -15,7 +15,7 @@ from macram.export.settings import CLOCK_MHZ
 from macram.layer_file import LayerCase
 from macram.spec import ArrayConfig
 
-MODULES = ("__init__.py", "board.py", "driver.py", "layer_file.py", "pynq_transport.py")
+MODULES = ("__init__.py", "board.py", "driver.py", "layer_file.py", "pynq_transport.py", "transport.py")
 PACKAGES = ("golden", "pack", "spec")
 """The part of macram that the driver needs. It imports NumPy and the standard library, on Python 3.10 or newer."""
 SCRIPTS = ("README.md", "run_reference.py", "selftest.py")

@@ -13,6 +13,7 @@ REGISTERS = "s_axi"
 IMAGE = "s_axis"
 """The stream of the image; every other stream into the array has this name and a suffix."""
 RESULT = "m_axis"
+"""What the image becomes. A further stream out of the array answers the one into it with the same suffix."""
 LITE = (
     "awaddr", "awprot", "awvalid", "awready", "wdata", "wstrb", "wvalid", "wready", "bresp", "bvalid", "bready",
     "araddr", "arprot", "arvalid", "arready", "rdata", "rresp", "rvalid", "rready",
@@ -80,9 +81,15 @@ def find_interfaces(ports: dict[str, Port]) -> list[Interface]:
     for name in (IMAGE, RESULT):
         if name not in streams:
             raise ValueError(f"the top level has no stream {name}")
-    if extra := sorted(name for name in streams if name.startswith("m_") and name != RESULT):
-        raise ValueError(f"the block design has no place for the stream {extra[0]}")
+    for name in streams:
+        if name.startswith("m_") and question_of(name) not in streams:
+            raise ValueError(f"the stream {name} answers no stream {question_of(name)}; no DMA can take it")
     return found
+
+
+def question_of(answer: str) -> str:
+    """The stream into the array that a stream out of it answers: the same DMA has both."""
+    return IMAGE + answer.removeprefix(RESULT)
 
 
 def clocks(ports: dict[str, Port]) -> list[str]:

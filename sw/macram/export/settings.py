@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from macram.export.ports import IMAGE, REGISTERS, Interface, Port, clocks, find_interfaces
+from dataclasses import dataclass
+
+from macram.export.ports import IMAGE, REGISTERS, Interface, Port, clocks, find_interfaces, question_of
 from macram.spec import ArrayConfig
 
 CLOCK_MHZ = 100
@@ -22,17 +24,49 @@ def dma_of(stream: str) -> str:
     return "dma_image" if stream == IMAGE else "dma_" + stream.removeprefix(f"{IMAGE}_")
 
 
-def sending_dmas(interfaces: list[Interface]) -> dict[str, str]:
-    """DMA -> the array's stream it feeds, that of the image first."""
-    streams = [one.name for one in interfaces if one.kind == "axis" and one.mode == "slave"]
-    return {dma_of(name): name for name in sorted(streams, key=lambda name: (name != IMAGE, name))}
+@dataclass(frozen=True)
+class Dma:
+    """A DMA of the block design.
+
+    Attributes:
+        name: of the instance.
+        sends: the array's stream that it feeds.
+        receives: the array's stream that it takes, empty if it takes none.
+        bits: TDATA width of either stream, 0 where there is none.
+    """
+
+    name: str
+    sends: str
+    receives: str
+    bits: tuple[int, int]
 
 
-def windows(interfaces: list[Interface]) -> dict[str, tuple[int, int]]:
-    """Address segment of the block design -> its offset and bytes in the processor's address space."""
+def dmas(interfaces: list[Interface], ports: dict[str, Port]) -> list[Dma]:
+    """One per stream into the array, that of the image first; it also takes the stream that answers."""
+    streams = [one for one in interfaces if one.kind == "axis"]
+    answers = {question_of(one.name): one.name for one in streams if one.mode == "master"}
+
+    def bits(name: str) -> int:
+        return ports[f"{name}_tdata"].width if name else 0
+
+    found = []
+    for name in sorted(
+        (one.name for one in streams if one.mode == "slave"), key=lambda name: (name != IMAGE, name)
+    ):
+        receives = answers.get(name, "")
+        found.append(Dma(dma_of(name), name, receives, (bits(name), bits(receives))))
+    return found
+
+
+def windows(names: list[str]) -> dict[str, tuple[int, int]]:
+    """Address segment of the block design -> its offset and bytes in the processor's address space.
+
+    Args:
+        names: of the DMAs.
+    """
     segments = {f"macram_0/{REGISTERS}/reg0": (WINDOW_BASE, WINDOW_OF_ARRAY)}
-    for i, dma in enumerate(sending_dmas(interfaces), start=1):
-        segments[f"{dma}/S_AXI_LITE/Reg"] = (WINDOW_BASE + i * WINDOW_STEP, WINDOW_OF_DMA)
+    for i, name in enumerate(names, start=1):
+        segments[f"{name}/S_AXI_LITE/Reg"] = (WINDOW_BASE + i * WINDOW_STEP, WINDOW_OF_DMA)
     return segments
 
 
@@ -40,7 +74,7 @@ def settings_tcl(array: ArrayConfig, ports: dict[str, Port], sources: list[str])
     """The Tcl array ``macram`` that every other script reads.
 
     Args:
-        array: the array, for its name and stream width.
+        array: the array, for its name.
         ports: of the exported top level.
         sources: Verilog files relative to the folder, in compile order.
 
@@ -48,6 +82,7 @@ def settings_tcl(array: ArrayConfig, ports: dict[str, Port], sources: list[str])
         ValueError: the ports do not form the interfaces that the block design connects.
     """
     interfaces = find_interfaces(ports)
+    engines = dmas(interfaces, ports)
     values = {
         "name": _word(array.name),
         "vendor": VENDOR,
@@ -57,12 +92,16 @@ def settings_tcl(array: ArrayConfig, ports: dict[str, Port], sources: list[str])
         "boards": _list(BOARDS),
         "clock_mhz": str(CLOCK_MHZ),
         "clocks": _list(clocks(ports)),
-        "stream_bits": str(array.stream_bits),
         "sources": _list(sources),
         "interfaces": _list([_interface(one) for one in interfaces]),
-        "dmas": _list([f"{dma} {stream}" for dma, stream in sending_dmas(interfaces).items()]),
+        "dmas": _list(
+            [f"{one.name} {one.sends} {one.bits[0]} {{{one.receives}}} {one.bits[1]}" for one in engines]
+        ),
         "windows": _list(
-            [f"{name} 0x{at:08X} 0x{size:X}" for name, (at, size) in windows(interfaces).items()]
+            [
+                f"{name} 0x{at:08X} 0x{size:X}"
+                for name, (at, size) in windows([one.name for one in engines]).items()
+            ]
         ),
     }
     return "# Written by macram export; the other scripts are the same for every array.\n" + "".join(

@@ -57,7 +57,8 @@ def export_vivado(
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as staging:
         root = Path(staging)
         with stage("Verilog and memory images"):
-            packed.write(root / "mem")
+            # UG901 allows a data file nothing but words; mem/manifest.json says what they are.
+            packed.write(root / "mem", comments=False)
             sources, verilog = _write_rtl(array, root)
         with stage("golden codes of the layer"):
             expected = run_layer(case)

@@ -26,6 +26,8 @@ def write_folder(
     array: ArrayConfig,
     requantiser: str,
     memories: dict[str, tuple[Words, int]],
+    *,
+    comments: bool,
 ) -> None:
     """Write every memory twice and the manifest.
 
@@ -35,6 +37,7 @@ def write_folder(
         array: the array, for the manifest.
         requantiser: key of `BIT_ORDER` for the memory ``requant``.
         memories: name -> words ``[depth, bytes]`` and their width in bits.
+        comments: begin each ``.mem`` file with the header.
 
     Raises:
         ValueError: the folder cannot be written.
@@ -48,7 +51,8 @@ def write_folder(
             f"{len(words)} words of {width} bits; {order}",
         ]
         lines = hex_lines(words, width)
-        texts[f"{name}.mem"] = "".join(f"// {line}\n" for line in header) + "\n".join(lines) + "\n"
+        above = [f"// {line}" for line in header] if comments else []
+        texts[f"{name}.mem"] = "\n".join([*above, *lines]) + "\n"
         texts[f"{name}.coe"] = (
             "".join(f"; {line.replace(';', ',')}\n" for line in header)
             + "memory_initialization_radix=16;\nmemory_initialization_vector=\n"

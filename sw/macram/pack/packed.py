@@ -95,12 +95,16 @@ class PackedLayer:
             words_to_beats(self.requant_ints(), array.requant_word_bits, array.stream_bits),
         )
 
-    def write(self, folder: Path) -> None:
+    def write(self, folder: Path, *, comments: bool = True) -> None:
         """Write ``unit_000.mem`` ..., ``requant.mem``, the same as ``.coe``, and ``manifest.json``.
 
         Every memory is filled to its full depth: weights with zeros, the requantiser with entries that give
         the code field 0. The files are complete before the first of them appears in ``folder``, the
         manifest comes last, and files of an earlier layer in the same folder go.
+
+        Args:
+            folder: made if missing.
+            comments: begin each ``.mem`` file with two lines of comment, which not every tool reads.
 
         Raises:
             ValueError: the folder cannot be written.
@@ -111,7 +115,7 @@ class PackedLayer:
         memories = {f"unit_{unit:03d}": (deep[unit], array.weight_word_bits) for unit in range(array.units)}
         rest = absent_requant(array, array.requant_depth - self.requant_words)
         memories["requant"] = (np.concatenate([self.requant, rest]), array.requant_word_bits)
-        write_folder(Path(folder), self.spec, array, self.requantiser, memories)
+        write_folder(Path(folder), self.spec, array, self.requantiser, memories, comments=comments)
 
 
 def pack_layer(case: LayerCase, array: ArrayConfig) -> PackedLayer:

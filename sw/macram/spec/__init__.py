@@ -8,15 +8,16 @@ from macram.spec.array import (
     RESIDUAL,
     TAPS,
     ArrayConfig,
-    parse_format,
 )
-from macram.spec.formats import IntFormat, ceil_div, signed_format_for
+from macram.spec.formats import IntFormat, ceil_div, parse_format, signed_format_for
 from macram.spec.layer import ConvSpec, accumulator_format, accumulator_range
 from macram.spec.passes import channel_passes, pass_specs
+from macram.spec.place import BOTTOM, TOP, Place, fit_together
 from macram.spec.registers import BY_NAME, REGISTERS, Control, Error, Register, Status
 from macram.spec.stream import StreamLayout, words_to_beats
 
 __all__ = [
+    "BOTTOM",
     "BY_NAME",
     "ENGINE_LATENCY",
     "GROUP",
@@ -25,11 +26,13 @@ __all__ = [
     "REGISTERS",
     "RESIDUAL",
     "TAPS",
+    "TOP",
     "ArrayConfig",
     "Control",
     "ConvSpec",
     "Error",
     "IntFormat",
+    "Place",
     "Register",
     "Status",
     "StreamLayout",
@@ -37,6 +40,7 @@ __all__ = [
     "accumulator_range",
     "ceil_div",
     "channel_passes",
+    "fit_together",
     "parse_format",
     "pass_specs",
     "signed_format_for",

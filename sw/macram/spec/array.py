@@ -9,6 +9,7 @@ from typing import Any
 
 from macram.spec.formats import IntFormat, ceil_div, signed_format_for
 from macram.spec.layer import ConvSpec, accumulator_format
+from macram.spec.tables import checked_values, read_table
 
 GROUP = 4
 """Pixels of one row that a row engine takes per cycle."""
@@ -331,25 +332,7 @@ class ArrayConfig:
         Raises:
             ValueError: unknown key, or a value of the wrong kind; the line names the key and what it takes.
         """
-        if not isinstance(table, dict):
-            raise ValueError(f"array must be a table of fields, not {table!r}")
-        known = {f.name: str(f.type) for f in fields(cls)}
-        if unknown := sorted(set(table) - set(known)):
-            raise ValueError(f"unknown key {unknown[0]!r}; known are {', '.join(sorted(known))}")
-        values = dict(table)
-        for key, value in table.items():
-            if known[key] == "IntFormat":
-                try:
-                    values[key] = parse_format(value)
-                except ValueError as error:
-                    raise ValueError(
-                        f"{key} must be 'u' or 's' and a bit count of 2 to 8, such as 'u3', not {value!r}"
-                    ) from error
-            elif known[key] == "int" and type(value) is not int:
-                raise ValueError(f"{key} must be a whole number, not {value!r}")
-            elif known[key] == "str" and not isinstance(value, str):
-                raise ValueError(f"{key} must be a text in quotes, not {value!r}")
-        return cls(**values)
+        return cls(**checked_values(table, {f.name: str(f.type) for f in fields(cls)}))
 
     @classmethod
     def from_toml(cls, path: Path) -> ArrayConfig:
@@ -358,29 +341,8 @@ class ArrayConfig:
         Raises:
             ValueError: naming the file and the fault.
         """
-        import tomllib  # noqa: PLC0415 - not before Python 3.11, and boards have 3.10 but read no TOML
-
+        table = read_table(path, "array")
         try:
-            tables = tomllib.loads(Path(path).read_text(encoding="utf-8"))
-            if "array" not in tables:
-                raise ValueError("has no [array] table; put the fields under [array]")
-            return cls.from_dict(tables["array"])
-        except OSError as error:
-            raise ValueError(f"{path}: cannot be read, {error.strerror}; name another file") from error
-        except UnicodeDecodeError as error:
-            raise ValueError(f"{path}: is not UTF-8 text; save it as such") from error
-        except tomllib.TOMLDecodeError as error:
-            raise ValueError(f"{path}: is not TOML: {error}") from error
+            return cls.from_dict(table)
         except ValueError as error:
             raise ValueError(f"{path}: {error}") from error
-
-
-def parse_format(text: str) -> IntFormat:
-    """``"u3"`` -> unsigned 3 bits, ``"s8"`` -> signed 8 bits.
-
-    Raises:
-        ValueError: any other text.
-    """
-    if not (isinstance(text, str) and text[:1] in ("u", "s") and text[1:].isdecimal()):
-        raise ValueError(f"a format is 'u' or 's' and a bit count, such as 'u3', not {text!r}")
-    return IntFormat(int(text[1:]), signed=text[0] == "s")

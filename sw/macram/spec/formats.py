@@ -69,3 +69,14 @@ def signed_format_for(lo: int, hi: int) -> IntFormat:
 def ceil_div(numerator: int, denominator: int) -> int:
     """Smallest integer not below ``numerator / denominator``."""
     return -(-numerator // denominator)
+
+
+def parse_format(text: str) -> IntFormat:
+    """``"u3"`` -> unsigned 3 bits, ``"s8"`` -> signed 8 bits.
+
+    Raises:
+        ValueError: any other text.
+    """
+    if not (isinstance(text, str) and text[:1] in ("u", "s") and text[1:].isdecimal()):
+        raise ValueError(f"a format is 'u' or 's' and a bit count, such as 'u3', not {text!r}")
+    return IntFormat(int(text[1:]), signed=text[0] == "s")

@@ -10,17 +10,16 @@ from typing import Any
 from macram.report.versions import versions
 from macram.spec import ArrayConfig
 from macram.synth.devices import RESOURCES, Device
-from macram.synth.sources import export_sources
+from macram.synth.sources import export_sources, sources_hash
 from macram.synth.stat import instances, read_stat, short_name
 from macram.synth.tools import run_yosys, tool_versions
 
 TOP, UNIT = "macram_top", "macram_unit"
-FORMAT = 1
+FORMAT = 2
 NOTES = {
     "hierarchical": (
         "hierarchical: every module synthesised by itself, the unit's arithmetic (macram_unit, flattened) once, as a "
-        "black box in the rest and counted once per instance; nothing is optimised across module borders, so the "
-        "total is an upper bound"
+        "black box in the rest and counted once per instance; nothing is optimised across module borders"
     ),
     "flat": "flat: the whole design as one module",
 }
@@ -39,9 +38,9 @@ def synthesise(
         timeout: seconds after which Yosys is stopped.
 
     Returns:
-        plain values: ``device``, ``array``, ``mode`` and ``note``, ``modules`` (rows of name, instances and resources
-        of all of them together), ``total``, ``percent`` of the device, ``limits``, ``excess`` (empty if it fits),
-        ``seconds``, ``versions``.
+        plain values: ``device``, ``array``, ``design`` (`macram.synth.sources.design_hash`), ``mode`` and ``note``,
+        ``modules`` (rows of name, instances and resources of all of them together), ``total``, ``percent`` of the
+        device, ``limits``, ``excess`` (empty if it fits), ``seconds``, ``versions``.
 
     Raises:
         ToolError: Yosys is missing or failed.
@@ -67,6 +66,7 @@ def synthesise(
         "device": device.name,
         "device_title": device.title,
         "array": config.to_dict(),
+        "design": sources_hash(folder, names),
         "mode": "flat" if flat else "hierarchical",
         "note": NOTES["flat" if flat else "hierarchical"],
         "modules": [

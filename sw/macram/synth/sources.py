@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
+import tempfile
 from pathlib import Path
 
 from macram.spec import ArrayConfig
@@ -30,6 +32,24 @@ def export_sources(config: ArrayConfig, folder: Path, *, contents: bool) -> list
             text = re.sub(r'\.INIT_FILE\("[^"]*"\)', ".INIT_FILE()", text)
         (folder / name).write_text(text)
     return names
+
+
+def design_hash(config: ArrayConfig) -> str:
+    """SHA-256 of what `macram synth` reads for an array: equal as long as neither it nor the gateware has changed.
+
+    The array's name and the contents of its memories are no part of it.
+    """
+    with tempfile.TemporaryDirectory() as scratch:
+        return sources_hash(Path(scratch), export_sources(config, Path(scratch), contents=False))
+
+
+def sources_hash(folder: Path, names: list[str]) -> str:
+    """SHA-256 over files of ``folder`` in the order of ``names``, each with its name and length."""
+    found = hashlib.sha256()
+    for name in names:
+        text = (folder / name).read_bytes()
+        found.update(f"{name} {len(text)}\n".encode() + text)
+    return found.hexdigest()
 
 
 _TOKENS = {".": "_DOT_", "$": "_DOLLAR_"}

@@ -16,7 +16,7 @@ import numpy as np
 
 from macram.board import Board, OverlayFiles, differences, main, open_board, read_overlay
 from macram.driver import ArrayError, StreamTimeout
-from macram.golden import random_case, run_layer
+from macram.golden import ResidualRule, random_case, run_layer
 from macram.layer_file import LayerCase
 from macram.pack import pack_layer
 from macram.pynq_transport import run_sync
@@ -41,12 +41,14 @@ class SelfTest:
 
     def steps(self) -> dict[str, Callable[[], None]]:
         """What is checked -> how."""
+        adder = {"a residual stream is added to, code by code": self.residual}
         return {
             "the array is the one the overlay was exported from": self.identity,
             "registers hold what is written": self.registers,
             "weights in the bitstream give the golden codes": self.preloaded,
             "weights through the stream give the golden codes": self.loaded,
             "a small layer of odd shape gives the golden codes": self.odd_shape,
+            **(adder if self._files.array.residual_stream_bits else {}),
             "a command with an impossible shape is refused and forgotten": self.refused,
             "an image that ends early is noticed, and reset recovers": self.truncated,
         }
@@ -84,6 +86,25 @@ class SelfTest:
         case = random_case(spec, seed=2022)
         run_sync(self._driver.load(pack_layer(case, array)))
         self._run(case, run_layer(case))
+
+    def residual(self) -> None:
+        """Add the layer's codes to a random stream by a random rule, both streams at once."""
+        case, expected = self._files.case, self._files.expected
+        rng = np.random.default_rng(2022)
+        codes = 1 << case.spec.output.bits
+        rule = ResidualRule(
+            case.spec.output, np.sort(rng.integers(0, 256, codes)), np.sort(rng.integers(0, 256, codes - 1))
+        )
+        stream = rng.integers(0, 256, expected.shape)
+        sums, following = rule.apply(expected, stream)
+        run_sync(self._driver.load(pack_layer(case, self._files.array)))
+        run_sync(self._driver.configure(case.spec, rule))
+        result = run_sync(self._driver.run(case.input, stream))
+        assert result.sums is not None
+        for name, found, wanted in (("codes", result.codes, following), ("sums", result.sums, sums)):
+            wrong, where = differences(found, wanted)
+            if wrong:
+                raise ArrayError(f"{wrong} of {wanted.size} {name} differ, {where}")
 
     def refused(self) -> None:
         """Start with height 0, then run the reference layer as if nothing had been."""

@@ -27,11 +27,14 @@ if {$board ne ""} {
 } else {
     puts "macram: no board files of the Ultra96-V2 found; building for $part"
 }
+insist_on_memory_images
 set_property ip_repo_paths [list $repository] [current_project]
 update_ip_catalog
 
 build_design [expr {$board ne ""}]
 set design [get_files macram.bd]
+# The core is synthesised in the run of the whole design, under the same severities, not in one of its own.
+set_property synth_checkpoint_mode None $design
 generate_target all $design
 add_files -norecurse [make_wrapper -files $design -top]
 set_property top macram_wrapper [current_fileset]

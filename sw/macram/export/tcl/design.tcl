@@ -28,10 +28,9 @@ proc join_interfaces {from to} {
     connect_bd_intf_net [get_bd_intf_pins $from] [get_bd_intf_pins $to]
 }
 
-# A DMA without scatter-gather. `receives` adds the channel from stream to memory. 26 bits is the longest
-# length register there is; 32 address bits reach all 2 GiB of the board.
-proc add_dma {name receives} {
-    global macram
+# A DMA without scatter-gather: `sends` bits wide from memory to stream and, unless `receives` is 0, so many bits back.
+# 26 bits is the longest length register there is; 32 address bits reach all 2 GiB of the board.
+proc add_dma {name sends receives} {
     set configuration [list \
         CONFIG.c_include_sg 0 \
         CONFIG.c_sg_include_stscntrl_strm 0 \
@@ -39,15 +38,15 @@ proc add_dma {name receives} {
         CONFIG.c_addr_width 32 \
         CONFIG.c_include_mm2s 1 \
         CONFIG.c_include_mm2s_dre 0 \
-        CONFIG.c_m_axi_mm2s_data_width $macram(stream_bits) \
-        CONFIG.c_m_axis_mm2s_tdata_width $macram(stream_bits) \
+        CONFIG.c_m_axi_mm2s_data_width $sends \
+        CONFIG.c_m_axis_mm2s_tdata_width $sends \
         CONFIG.c_mm2s_burst_size 64 \
-        CONFIG.c_include_s2mm $receives]
+        CONFIG.c_include_s2mm [expr {$receives > 0}]]
     if {$receives} {
         lappend configuration \
             CONFIG.c_include_s2mm_dre 0 \
-            CONFIG.c_m_axi_s2mm_data_width $macram(stream_bits) \
-            CONFIG.c_s_axis_s2mm_tdata_width $macram(stream_bits) \
+            CONFIG.c_m_axi_s2mm_data_width $receives \
+            CONFIG.c_s_axis_s2mm_tdata_width $receives \
             CONFIG.c_s2mm_burst_size 64
     }
     return [add_cell $name axi_dma $configuration]
@@ -139,23 +138,22 @@ proc build_design {has_board} {
     create_bd_cell -type ip -vlnv "$macram(vendor):$macram(library):macram_top:$macram(version)" macram_0
     set clock [add_clocks]
 
-    # One DMA per stream into the array; that of the image takes the result as well.
+    # One DMA per stream into the array; it takes the stream that answers as well.
     set controlled {macram_0/s_axi}
     set memory {}
     set spaces {}
     set clocked {macram_0/aclk control/aclk memory/aclk}
     set held {macram_0/aresetn control/aresetn memory/aresetn}
-    foreach {dma stream} $macram(dmas) {
-        set receives [expr {$dma eq "dma_image"}]
-        add_dma $dma $receives
-        join_interfaces $dma/M_AXIS_MM2S macram_0/$stream
+    foreach {dma question sends answer receives} $macram(dmas) {
+        add_dma $dma $sends $receives
+        join_interfaces $dma/M_AXIS_MM2S macram_0/$question
         lappend controlled $dma/S_AXI_LITE
         lappend memory $dma/M_AXI_MM2S
         lappend spaces $dma/Data_MM2S
         lappend clocked $dma/s_axi_lite_aclk $dma/m_axi_mm2s_aclk
         lappend held $dma/axi_resetn
         if {$receives} {
-            join_interfaces macram_0/m_axis $dma/S_AXIS_S2MM
+            join_interfaces macram_0/$answer $dma/S_AXIS_S2MM
             lappend memory $dma/M_AXI_S2MM
             lappend spaces $dma/Data_S2MM
             lappend clocked $dma/m_axi_s2mm_aclk

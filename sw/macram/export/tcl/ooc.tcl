@@ -10,6 +10,7 @@ set part [choose_part]
 set reports [file join $here reports]
 file mkdir $reports
 create_project -in_memory -part $part
+insist_on_memory_images
 foreach file $macram(sources) {
     read_verilog [file join $here $file]
 }

@@ -52,6 +52,33 @@ proc ensure_memory_map {core name} {
     set_property slave_memory_map_ref $name [ipx::get_bus_interfaces $name -of_objects $core]
 }
 
+# Every memory image in every group of sources, beside the Verilog that names it. What the packager did with files
+# that are no Verilog differs from version to version: they may be missing, or of a type that synthesis passes over.
+proc ensure_memory_images {core root images} {
+    set groups {}
+    foreach group [ipx::get_file_groups -of_objects $core] {
+        set name [get_property name $group]
+        if {[string match *synthesis $name] || [string match *simulation $name]} {
+            lappend groups $group
+        }
+    }
+    if {[llength $groups] == 0} {
+        error "the packaged core has no sources"
+    }
+    foreach image $images {
+        set inside src/[file tail $image]
+        file mkdir [file join $root src]
+        file copy -force $image [file join $root $inside]
+        foreach group $groups {
+            set file [ipx::get_files -quiet $inside -of_objects $group]
+            if {[llength $file] == 0} {
+                set file [ipx::add_file $inside $group]
+            }
+            set_property type mem $file
+        }
+    }
+}
+
 proc package_ip {here part} {
     global macram
     set root [file join $here ip]
@@ -60,7 +87,8 @@ proc package_ip {here part} {
     foreach file $macram(sources) {
         add_files -norecurse [file join $here $file]
     }
-    add_files -norecurse [glob [file join $here mem *.mem]]
+    set images [glob [file join $here mem *.mem]]
+    add_files -norecurse $images
     set_property top macram_top [current_fileset]
     update_compile_order -fileset sources_1
 
@@ -74,6 +102,7 @@ proc package_ip {here part} {
     set_property core_revision 1 $core
     set_property supported_families {zynquplus Production} $core
 
+    ensure_memory_images $core $root $images
     foreach interface $macram(interfaces) {
         lassign $interface name kind mode pairs
         ensure_interface $core $name $kind $mode $pairs

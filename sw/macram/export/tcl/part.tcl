@@ -1,4 +1,10 @@
-# Which device and which board files this Vivado has. Sourced by build.tcl and ooc.tcl.
+# Which device and which board files this Vivado has, and how strict it is. Sourced by build.tcl and ooc.tcl.
+
+# A memory image that is not found is only a critical warning, and the memory then starts up with zeros. Here it ends
+# the build.
+proc insist_on_memory_images {} {
+    set_msg_config -id {Synth 8-4445} -new_severity ERROR
+}
 
 # The Ultra96-V2 carries the industrial grade, early ones the extended grade, both of speed grade -1.
 proc choose_part {} {
