@@ -9,7 +9,7 @@ from macram.cli.console import open_console
 from macram.cli.stages import Stages
 from macram.cli.traffic import traffic
 from macram.layer_job import array_for, run_layer_job, run_summary, write_run
-from macram.spec import ArrayConfig, ConvSpec, IntFormat, channel_passes
+from macram.spec import ArrayConfig, ConvSpec, IntFormat, layer_passes
 
 if TYPE_CHECKING:
     from macram.layer_file import LayerCase
@@ -91,7 +91,7 @@ def _case(arguments: argparse.Namespace) -> tuple[LayerCase, ArrayConfig]:
     try:
         if given is None:
             return case, array_for(case.spec)
-        channel_passes(case.spec, given)
+        layer_passes(case.spec, given)
     except ValueError as error:
         raise ValueError(f"{arguments.file}: {error}") from error
     return case, given
