@@ -96,14 +96,6 @@ class Array(wiring.Component):
             connect(m, path.o, emit.i)
         else:
             connect(m, drain.o, emit.i)
-        last_beat = self._last_beat(m, start, shape)
-        self._control(m, decoder, frame, loader, watched, start, last_beat)
-        m.d.comb += shape.eq(decoder.shape)
-
-        # ---- image path ---------------------------------------------------------------------------------
-        connect(m, wiring.flipped(self.i), frame.i)
-        connect(m, frame.o, ingest.i)
-        connect(m, ingest.o, lines.i)
         if config.partial_sum_c_in:
             m.submodules.partial = partial = self._partial_sums(m, start, drain)
             watched.append(partial)
@@ -112,8 +104,16 @@ class Array(wiring.Component):
             connect(m, emit.o, partial.codes)
             connect(m, partial.o, wiring.flipped(self.o))
         else:
-            connect(m, emit.o, wiring.flipped(self.o))
             connect(m, wiring.flipped(self.params), loader.i)
+            connect(m, emit.o, wiring.flipped(self.o))
+        last_beat = self._last_beat(m, start, shape)
+        self._control(m, decoder, frame, loader, watched, start, last_beat)
+        m.d.comb += shape.eq(decoder.shape)
+
+        # ---- image path ---------------------------------------------------------------------------------
+        connect(m, wiring.flipped(self.i), frame.i)
+        connect(m, frame.o, ingest.i)
+        connect(m, ingest.o, lines.i)
         m.d.comb += [
             *(block.shape.eq(shape) for block in (lines, sequencer, drain)),
             frame.beats.eq(shape.beats_in),
