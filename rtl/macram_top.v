@@ -174,19 +174,19 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .\error$638 (error),
     .fill_cycles(fill_cycles),
     .height(height),
-    .\i__payload$53 (i__payload),
-    .\i__payload$74 (params__payload),
-    .\i__ready$55 (s_axis_tready),
-    .\i__valid$57 (s_axis_tvalid),
-    .\i__valid$78 (s_axis_param_tvalid),
+    .\i__payload$6 (params__payload),
+    .\i__payload$62 (i__payload),
+    .\i__ready$64 (s_axis_tready),
+    .\i__valid$10 (s_axis_param_tvalid),
+    .\i__valid$66 (s_axis_tvalid),
     .input_stalls(input_stalls),
-    .loading(s_axis_param_tready),
     .mac_cycles(mac_cycles),
     .mode(mode),
-    .\o__payload$9 (o__payload),
-    .\o__ready$8 (m_axis_tready),
-    .\o__valid$7 (m_axis_tvalid),
+    .\o__payload$12 (o__payload),
+    .\o__ready$14 (m_axis_tready),
+    .\o__valid$16 (m_axis_tvalid),
     .output_stalls(output_stalls),
+    .params__ready(s_axis_param_tready),
     .\port$1218$0 (command),
     .requant_base(requant_base),
     .rst(rst),
@@ -305,8 +305,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy, \i__ready$55 , \o__valid$7 , \i__payload$53 , \i__payload$74 , \port$1218$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$638 
-, cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$9 , loading, clk);
+module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy, \i__ready$64 , \o__valid$16 , \i__payload$62 , \i__payload$6 , \port$1218$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$638 
+, cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$12 , params__ready, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -382,8 +382,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire \$8 ;
   wire [31:0] \$9 ;
   wire \$signal ;
-  wire \$signal$39 ;
-  wire \$signal$43 ;
+  wire \$signal$48 ;
+  wire \$signal$52 ;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -392,7 +392,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
   (* enum_value_110 = "BAD_RANGE" *)
-  reg [2:0] \$signal$45 ;
+  reg [2:0] \$signal$54 ;
   wire \$signal$630 ;
   reg \$signal$631  = 1'h0;
   reg \$signal$649  = 1'h0;
@@ -532,13 +532,13 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire blocked;
   output busy;
   wire busy;
-  wire \busy$34 ;
+  wire \busy$43 ;
   input [31:0] c_in;
   wire [31:0] c_in;
-  wire [31:0] \c_in$17 ;
+  wire [31:0] \c_in$26 ;
   input [31:0] c_out;
   wire [31:0] c_out;
-  wire [31:0] \c_out$19 ;
+  wire [31:0] \c_out$28 ;
   wire [75:0] chain_i;
   wire [75:0] \chain_i$137 ;
   wire [18:0] \chain_i$137[0] ;
@@ -1713,39 +1713,39 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire [18:0] \heads[3][3] ;
   input [31:0] height;
   wire [31:0] height;
-  wire [31:0] \height$13 ;
+  wire [31:0] \height$22 ;
   wire [15:0] \height$85 ;
   wire [49:0] i__payload;
-  input [64:0] \i__payload$53 ;
-  wire [64:0] \i__payload$53 ;
-  wire [63:0] \i__payload$53.data ;
-  wire \i__payload$53.last ;
-  wire [64:0] \i__payload$54 ;
-  wire [63:0] \i__payload$54.data ;
-  wire \i__payload$54.last ;
-  wire [63:0] \i__payload$59 ;
-  wire [47:0] \i__payload$65 ;
-  input [64:0] \i__payload$74 ;
-  wire [64:0] \i__payload$74 ;
-  wire [63:0] \i__payload$74.data ;
-  wire \i__payload$74.last ;
+  input [64:0] \i__payload$6 ;
+  wire [64:0] \i__payload$6 ;
+  wire [63:0] \i__payload$6.data ;
+  wire \i__payload$6.last ;
+  input [64:0] \i__payload$62 ;
+  wire [64:0] \i__payload$62 ;
+  wire [63:0] \i__payload$62.data ;
+  wire \i__payload$62.last ;
+  wire [64:0] \i__payload$63 ;
+  wire [63:0] \i__payload$63.data ;
+  wire \i__payload$63.last ;
+  wire [63:0] \i__payload$68 ;
+  wire [47:0] \i__payload$74 ;
   wire [47:0] \i__payload.data ;
   wire \i__payload.last ;
   wire \i__payload.pixel_last ;
   wire i__ready;
-  output \i__ready$55 ;
-  wire \i__ready$55 ;
-  wire \i__ready$56 ;
-  wire \i__ready$62 ;
-  wire \i__ready$68 ;
+  output \i__ready$64 ;
+  wire \i__ready$64 ;
+  wire \i__ready$65 ;
+  wire \i__ready$71 ;
   wire \i__ready$77 ;
+  wire \i__ready$9 ;
   wire i__valid;
-  input \i__valid$57 ;
-  wire \i__valid$57 ;
-  wire \i__valid$58 ;
-  wire \i__valid$63 ;
-  wire \i__valid$69 ;
-  input \i__valid$78 ;
+  input \i__valid$10 ;
+  wire \i__valid$10 ;
+  input \i__valid$66 ;
+  wire \i__valid$66 ;
+  wire \i__valid$67 ;
+  wire \i__valid$72 ;
   wire \i__valid$78 ;
   wire idle;
   wire image_written;
@@ -1788,38 +1788,37 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire last_beat0;
   reg last_beat_gone0 = 1'h0;
   wire [32:0] load_end;
-  output loading;
   wire loading;
   output [31:0] mac_cycles;
   reg [31:0] mac_cycles = 32'd0;
   input [31:0] mode;
   wire [31:0] mode;
-  wire [31:0] \mode$21 ;
+  wire [31:0] \mode$30 ;
   wire [49:0] o__payload;
-  wire [63:0] \o__payload$60 ;
-  wire [47:0] \o__payload$66 ;
-  wire [64:0] \o__payload$71 ;
-  wire [63:0] \o__payload$71.data ;
-  wire \o__payload$71.last ;
-  output [64:0] \o__payload$9 ;
-  wire [64:0] \o__payload$9 ;
-  wire [63:0] \o__payload$9.data ;
-  wire \o__payload$9.last ;
+  output [64:0] \o__payload$12 ;
+  wire [64:0] \o__payload$12 ;
+  wire [63:0] \o__payload$12.data ;
+  wire \o__payload$12.last ;
+  wire [64:0] \o__payload$13 ;
+  wire [63:0] \o__payload$13.data ;
+  wire \o__payload$13.last ;
+  wire [63:0] \o__payload$69 ;
+  wire [47:0] \o__payload$75 ;
   wire [47:0] \o__payload.data ;
   wire \o__payload.last ;
   wire \o__payload.pixel_last ;
   wire o__ready;
-  wire \o__ready$61 ;
-  wire \o__ready$67 ;
-  wire \o__ready$72 ;
-  input \o__ready$8 ;
-  wire \o__ready$8 ;
+  input \o__ready$14 ;
+  wire \o__ready$14 ;
+  wire \o__ready$15 ;
+  wire \o__ready$70 ;
+  wire \o__ready$76 ;
   wire o__valid;
-  wire \o__valid$64 ;
-  output \o__valid$7 ;
-  wire \o__valid$7 ;
-  wire \o__valid$70 ;
+  output \o__valid$16 ;
+  wire \o__valid$16 ;
+  wire \o__valid$17 ;
   wire \o__valid$73 ;
+  wire \o__valid$79 ;
   wire open;
   output [31:0] output_stalls;
   reg [31:0] output_stalls = 32'd0;
@@ -1828,6 +1827,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire [64:0] params__payload;
   wire [63:0] \params__payload.data ;
   wire \params__payload.last ;
+  output params__ready;
   wire params__ready;
   wire params__valid;
   input [3:0] \port$1218$0 ;
@@ -1842,7 +1842,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire [671:0] \requant.data ;
   input [31:0] requant_base;
   wire [31:0] requant_base;
-  wire [31:0] \requant_base$25 ;
+  wire [31:0] \requant_base$34 ;
   wire [7:0] \requant_base$98 ;
   wire requant_en;
   wire [8:0] requant_end;
@@ -1854,25 +1854,25 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire rst;
   reg running = 1'h0;
   wire [199:0] shape;
-  wire [199:0] \shape$52 ;
-  wire [15:0] \shape$52.beats_in ;
-  wire [15:0] \shape$52.beats_out ;
-  wire [15:0] \shape$52.beats_residual ;
-  wire \shape$52.biased ;
-  wire [13:0] \shape$52.blocks ;
-  wire [14:0] \shape$52.column_words ;
-  wire [14:0] \shape$52.groups ;
-  wire \shape$52.halved ;
-  wire [15:0] \shape$52.height ;
-  wire [13:0] \shape$52.ingest_words ;
-  wire [15:0] \shape$52.out_height ;
-  wire [15:0] \shape$52.out_width ;
-  wire [11:0] \shape$52.output_words ;
-  wire \shape$52.pointwise ;
-  wire \shape$52.residual ;
-  wire [1:0] \shape$52.tail ;
-  wire [11:0] \shape$52.tiles ;
-  wire [15:0] \shape$52.width ;
+  wire [199:0] \shape$61 ;
+  wire [15:0] \shape$61.beats_in ;
+  wire [15:0] \shape$61.beats_out ;
+  wire [15:0] \shape$61.beats_residual ;
+  wire \shape$61.biased ;
+  wire [13:0] \shape$61.blocks ;
+  wire [14:0] \shape$61.column_words ;
+  wire [14:0] \shape$61.groups ;
+  wire \shape$61.halved ;
+  wire [15:0] \shape$61.height ;
+  wire [13:0] \shape$61.ingest_words ;
+  wire [15:0] \shape$61.out_height ;
+  wire [15:0] \shape$61.out_width ;
+  wire [11:0] \shape$61.output_words ;
+  wire \shape$61.pointwise ;
+  wire \shape$61.residual ;
+  wire [1:0] \shape$61.tail ;
+  wire [11:0] \shape$61.tiles ;
+  wire [15:0] \shape$61.width ;
   wire [199:0] \shape$80 ;
   wire [15:0] \shape$80.beats_in ;
   wire [15:0] \shape$80.beats_out ;
@@ -2058,17 +2058,17 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire [71:0] \weight.data ;
   input [31:0] weight_base;
   wire [31:0] weight_base;
-  wire [31:0] \weight_base$23 ;
+  wire [31:0] \weight_base$32 ;
   wire [9:0] \weight_base$97 ;
   wire [10:0] weight_end;
   input [31:0] width;
   wire [31:0] width;
-  wire [31:0] \width$15 ;
+  wire [31:0] \width$24 ;
   wire [15:0] \width$84 ;
   wire [95:0] word;
   input [31:0] words;
   wire [31:0] words;
-  wire [31:0] \words$27 ;
+  wire [31:0] \words$36 ;
   wire [15:0] words_per_pixel;
   wire [679:0] write;
   wire [81:0] \write$118 ;
@@ -2331,16 +2331,16 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire \write_en$618 ;
   wire \write_en$624 ;
   assign \$18  = ! words;
-  assign \$19  = \$18  | \$signal$39 ;
+  assign \$19  = \$18  | \$signal$48 ;
   assign \$20  = busy & overlaps;
   assign \$21  = \$19  | \$20 ;
   assign \$22  = \wait  == 1'h1;
   assign \$23  = ! error;
-  assign \$24  = \$23  & loading;
+  assign \$24  = \$23  & params__ready;
   assign \$26  = \$24  & \$25 ;
   assign \$27  = ! verdict;
   assign finished = control3[0] & control3[2];
-  assign first_beat = \i__valid$57  & \i__ready$55 ;
+  assign first_beat = \i__valid$66  & \i__ready$64 ;
   assign \$28  = first_beat | \$signal$631 ;
   assign \$29  = ~ ended;
   assign \$signal$630  = \$28  & \$29 ;
@@ -2353,9 +2353,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \$36  = running & delivered;
   assign \$37  = ~ open;
   assign \$38  = \$36  & \$37 ;
-  assign \$39  = \$signal$43  & idle;
+  assign \$39  = \$signal$52  & idle;
   assign \$40  = ! \error$638 ;
-  assign \$41  = | \$signal$45 ;
+  assign \$41  = | \$signal$54 ;
   assign \$42  = | verdict;
   assign \$43  = cycles + 1'h1;
   assign \$44  = ~ \$signal$649 ;
@@ -2412,24 +2412,24 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     output_stalls <= \$69 ;
   always @(posedge clk)
     drain_cycles <= \$70 ;
-  assign \$1  = \o__valid$7  & \o__ready$8 ;
-  assign last_beat0 = \$1  & \o__payload$9 [64];
+  assign \$1  = \o__valid$16  & \o__ready$14 ;
+  assign last_beat0 = \$1  & \o__payload$12 [64];
   assign \$3  = last_beat0 | last_beat_gone0;
   assign last_beat = \$2  & \$4 ;
   assign \$5  = | \wait ;
   assign busy = running | \$5 ;
-  assign \$signal  = loading ? to_requant : \port$1218$0 [2];
+  assign \$signal  = params__ready ? to_requant : \port$1218$0 [2];
   assign load_end = base + words;
   assign \$6  = \$signal  ? 11'h100 : 11'h400;
-  assign \$signal$39  = load_end > \$6 ;
+  assign \$signal$48  = load_end > \$6 ;
   assign \$7  = \$signal  ? { 2'h0, requant_end } : weight_end;
   assign \$8  = base < \$7 ;
   assign \$9  = \$signal  ? requant_base : weight_base;
   assign \$10  = load_end > \$9 ;
   assign overlaps = \$8  & \$10 ;
-  assign \$signal$43  = | \port$1218$0 [2:0];
+  assign \$signal$52  = | \port$1218$0 [2:0];
   assign \$11  = ~ busy;
-  assign \$12  = ~ loading;
+  assign \$12  = ~ params__ready;
   assign idle = \$11  & \$12 ;
   assign \$13  = \port$1218$0 [2:0] - 1'h1;
   assign \$14  = { 1'h0, \port$1218$0 [2:0] } & \$13 ;
@@ -2475,9 +2475,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .i__payload(i__payload),
     .i__ready(o__ready),
     .i__valid(i__valid),
-    .o__payload(\o__payload$9 ),
-    .o__ready(\o__ready$8 ),
-    .o__valid(\o__valid$7 ),
+    .o__payload(\o__payload$12 ),
+    .o__ready(\o__ready$14 ),
+    .o__valid(\o__valid$16 ),
     .rst(rst),
     .soft_reset(\port$1218$0 [3])
   );
@@ -2486,11 +2486,11 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .clk(clk),
     .error(\error$641 ),
     .fault(fault),
-    .i__payload(\i__payload$53 ),
-    .i__ready(\i__ready$55 ),
-    .i__valid(\i__valid$57 ),
-    .o__ready(\o__ready$61 ),
-    .o__valid(\i__valid$63 ),
+    .i__payload(\i__payload$62 ),
+    .i__ready(\i__ready$64 ),
+    .i__valid(\i__valid$66 ),
+    .o__ready(\o__ready$70 ),
+    .o__valid(\i__valid$72 ),
     .open(open),
     .\port$1313$0 (shape[31:0]),
     .rst(rst),
@@ -2500,12 +2500,12 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   \macram_top.array.ingest  ingest (
     .beats_per_pixel(shape[147:132]),
     .clk(clk),
-    .i__payload(\i__payload$53 [63:0]),
-    .i__ready(\o__ready$61 ),
-    .i__valid(\i__valid$63 ),
-    .o__payload(\i__payload$65 ),
-    .o__ready(\o__ready$67 ),
-    .o__valid(\i__valid$69 ),
+    .i__payload(\i__payload$62 [63:0]),
+    .i__ready(\o__ready$70 ),
+    .i__valid(\i__valid$72 ),
+    .o__payload(\i__payload$74 ),
+    .o__ready(\o__ready$76 ),
+    .o__valid(\i__valid$78 ),
     .\port$1313$79 (shape[92:79]),
     .rst(rst),
     .soft_reset(\port$1218$0 [3])
@@ -2513,9 +2513,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   \macram_top.array.lines  lines (
     .clk(clk),
     .group_written(group_written),
-    .i__payload(\i__payload$65 ),
-    .i__ready(\o__ready$67 ),
-    .i__valid(\i__valid$69 ),
+    .i__payload(\i__payload$74 ),
+    .i__ready(\o__ready$76 ),
+    .i__valid(\i__valid$78 ),
     .image_written(image_written),
     .read(step[14:0]),
     .retire(retire),
@@ -2531,9 +2531,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .clk(clk),
     .error(\error$642 ),
     .fault(\fault$640 ),
-    .i__payload(\i__payload$74 ),
-    .i__ready(loading),
-    .i__valid(\i__valid$78 ),
+    .i__payload(\i__payload$6 ),
+    .i__ready(params__ready),
+    .i__valid(\i__valid$10 ),
     .\port$1569$0 (\$71 ),
     .\port$1571$0 (\$72 ),
     .\port$1573$0 (\$73 ),
@@ -3394,18 +3394,18 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   );
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$signal$45  = 3'h0;
+    \$signal$54  = 3'h0;
     if (\$15 ) begin
-      \$signal$45  = 3'h5;
+      \$signal$54  = 3'h5;
     end else if (\port$1218$0 [0]) begin
       if (busy) begin
-        \$signal$45  = 3'h5;
+        \$signal$54  = 3'h5;
       end
-    end else if (\$signal$43 ) begin
+    end else if (\$signal$52 ) begin
       if (\$17 ) begin
-        \$signal$45  = 3'h5;
+        \$signal$54  = 3'h5;
       end else if (\$21 ) begin
-        \$signal$45  = 3'h6;
+        \$signal$54  = 3'h6;
       end
     end
   end
@@ -3414,7 +3414,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     start_weights = 1'h0;
     if (\$15 ) begin
     end else if (\port$1218$0 [0]) begin
-    end else if (\$signal$43 ) begin
+    end else if (\$signal$52 ) begin
       (* full_case = 32'd1 *)
       if (\$17 ) begin
       end else if (\$21 ) begin
@@ -3428,7 +3428,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     start_requant = 1'h0;
     if (\$15 ) begin
     end else if (\port$1218$0 [0]) begin
-    end else if (\$signal$43 ) begin
+    end else if (\$signal$52 ) begin
       (* full_case = 32'd1 *)
       if (\$17 ) begin
       end else if (\$21 ) begin
@@ -3552,10 +3552,10 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$57  = \error$638 ;
     if (\$39 ) begin
-      \$57  = \$signal$45 ;
+      \$57  = \$signal$54 ;
     end else if (\$40 ) begin
       if (\$41 ) begin
-        \$57  = \$signal$45 ;
+        \$57  = \$signal$54 ;
       end else if (\$42 ) begin
         \$57  = verdict;
       end else if (fault) begin
@@ -3779,35 +3779,35 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign o__payload = i__payload;
   assign i__ready = o__ready;
   assign o__valid = i__valid;
-  assign \height$13  = height;
-  assign \width$15  = width;
-  assign \c_in$17  = c_in;
-  assign \c_out$19  = c_out;
-  assign \mode$21  = mode;
-  assign \weight_base$23  = weight_base;
-  assign \requant_base$25  = requant_base;
-  assign \words$27  = words;
+  assign params__payload = \i__payload$6 ;
+  assign \i__ready$9  = params__ready;
+  assign params__valid = \i__valid$10 ;
+  assign \o__payload$13  = \o__payload$12 ;
+  assign \o__ready$15  = \o__ready$14 ;
+  assign \o__valid$17  = \o__valid$16 ;
+  assign \height$22  = height;
+  assign \width$24  = width;
+  assign \c_in$26  = c_in;
+  assign \c_out$28  = c_out;
+  assign \mode$30  = mode;
+  assign \weight_base$32  = weight_base;
+  assign \requant_base$34  = requant_base;
+  assign \words$36  = words;
   assign param_base = base;
-  assign \busy$34  = loading;
+  assign loading = params__ready;
+  assign \busy$43  = params__ready;
   assign command = \port$1218$0 [2:0];
-  assign \shape$52  = shape;
-  assign \i__payload$54  = \i__payload$53 ;
-  assign \i__ready$56  = \i__ready$55 ;
-  assign \i__valid$58  = \i__valid$57 ;
-  assign \i__payload$59  = \i__payload$53 [63:0];
-  assign \o__payload$60  = \i__payload$53 [63:0];
-  assign \i__ready$62  = \o__ready$61 ;
-  assign \o__valid$64  = \i__valid$63 ;
-  assign \o__payload$66  = \i__payload$65 ;
-  assign \i__ready$68  = \o__ready$67 ;
-  assign \o__valid$70  = \i__valid$69 ;
-  assign \o__payload$71  = \o__payload$9 ;
-  assign \o__ready$72  = \o__ready$8 ;
-  assign \o__valid$73  = \o__valid$7 ;
-  assign params__payload = \i__payload$74 ;
-  assign params__ready = loading;
-  assign \i__ready$77  = loading;
-  assign params__valid = \i__valid$78 ;
+  assign \shape$61  = shape;
+  assign \i__payload$63  = \i__payload$62 ;
+  assign \i__ready$65  = \i__ready$64 ;
+  assign \i__valid$67  = \i__valid$66 ;
+  assign \i__payload$68  = \i__payload$62 [63:0];
+  assign \o__payload$69  = \i__payload$62 [63:0];
+  assign \i__ready$71  = \o__ready$70 ;
+  assign \o__valid$73  = \i__valid$72 ;
+  assign \o__payload$75  = \i__payload$74 ;
+  assign \i__ready$77  = \o__ready$76 ;
+  assign \o__valid$79  = \i__valid$78 ;
   assign \shape$80  = shape;
   assign \shape$81  = shape;
   assign \shape$82  = shape;
@@ -4285,8 +4285,14 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \o__payload.data  = i__payload[47:0];
   assign \o__payload.pixel_last  = i__payload[48];
   assign \o__payload.last  = i__payload[49];
-  assign \o__payload$9.data  = \o__payload$9 [63:0];
-  assign \o__payload$9.last  = \o__payload$9 [64];
+  assign \i__payload$6.data  = \i__payload$6 [63:0];
+  assign \i__payload$6.last  = \i__payload$6 [64];
+  assign \params__payload.data  = \i__payload$6 [63:0];
+  assign \params__payload.last  = \i__payload$6 [64];
+  assign \o__payload$12.data  = \o__payload$12 [63:0];
+  assign \o__payload$12.last  = \o__payload$12 [64];
+  assign \o__payload$13.data  = \o__payload$12 [63:0];
+  assign \o__payload$13.last  = \o__payload$12 [64];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
   assign \shape.out_height  = shape[47:32];
@@ -4305,34 +4311,28 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \shape.residual  = shape[167];
   assign \shape.out_width  = shape[183:168];
   assign \shape.beats_residual  = shape[199:184];
-  assign \shape$52.height  = shape[15:0];
-  assign \shape$52.width  = shape[31:16];
-  assign \shape$52.out_height  = shape[47:32];
-  assign \shape$52.groups  = shape[62:48];
-  assign \shape$52.tail  = shape[64:63];
-  assign \shape$52.blocks  = shape[78:65];
-  assign \shape$52.ingest_words  = shape[92:79];
-  assign \shape$52.column_words  = shape[107:93];
-  assign \shape$52.tiles  = shape[119:108];
-  assign \shape$52.output_words  = shape[131:120];
-  assign \shape$52.beats_in  = shape[147:132];
-  assign \shape$52.beats_out  = shape[163:148];
-  assign \shape$52.pointwise  = shape[164];
-  assign \shape$52.halved  = shape[165];
-  assign \shape$52.biased  = shape[166];
-  assign \shape$52.residual  = shape[167];
-  assign \shape$52.out_width  = shape[183:168];
-  assign \shape$52.beats_residual  = shape[199:184];
-  assign \i__payload$53.data  = \i__payload$53 [63:0];
-  assign \i__payload$53.last  = \i__payload$53 [64];
-  assign \i__payload$54.data  = \i__payload$53 [63:0];
-  assign \i__payload$54.last  = \i__payload$53 [64];
-  assign \o__payload$71.data  = \o__payload$9 [63:0];
-  assign \o__payload$71.last  = \o__payload$9 [64];
-  assign \i__payload$74.data  = \i__payload$74 [63:0];
-  assign \i__payload$74.last  = \i__payload$74 [64];
-  assign \params__payload.data  = \i__payload$74 [63:0];
-  assign \params__payload.last  = \i__payload$74 [64];
+  assign \shape$61.height  = shape[15:0];
+  assign \shape$61.width  = shape[31:16];
+  assign \shape$61.out_height  = shape[47:32];
+  assign \shape$61.groups  = shape[62:48];
+  assign \shape$61.tail  = shape[64:63];
+  assign \shape$61.blocks  = shape[78:65];
+  assign \shape$61.ingest_words  = shape[92:79];
+  assign \shape$61.column_words  = shape[107:93];
+  assign \shape$61.tiles  = shape[119:108];
+  assign \shape$61.output_words  = shape[131:120];
+  assign \shape$61.beats_in  = shape[147:132];
+  assign \shape$61.beats_out  = shape[163:148];
+  assign \shape$61.pointwise  = shape[164];
+  assign \shape$61.halved  = shape[165];
+  assign \shape$61.biased  = shape[166];
+  assign \shape$61.residual  = shape[167];
+  assign \shape$61.out_width  = shape[183:168];
+  assign \shape$61.beats_residual  = shape[199:184];
+  assign \i__payload$62.data  = \i__payload$62 [63:0];
+  assign \i__payload$62.last  = \i__payload$62 [64];
+  assign \i__payload$63.data  = \i__payload$62 [63:0];
+  assign \i__payload$63.last  = \i__payload$62 [64];
   assign \shape$80.height  = shape[15:0];
   assign \shape$80.width  = shape[31:16];
   assign \shape$80.out_height  = shape[47:32];
@@ -5431,7 +5431,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \$2  = last_beat0;
   assign \$4  = \$3 ;
   assign \$16  = 1'h0;
-  assign \$17  = loading;
+  assign \$17  = params__ready;
   assign \$25  = overlaps;
 endmodule
 

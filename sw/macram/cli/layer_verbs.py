@@ -42,12 +42,13 @@ def pack(arguments: argparse.Namespace) -> int:
 
     case, array = _case(arguments)
     passes = pack_passes(case, array)
+    first = passes[0].spec
     _folder(arguments)
     for index, packed in enumerate(passes):
         packed.write(arguments.out if len(passes) == 1 else arguments.out / f"pass_{index}")
     print(
         f"{case.spec.c_out} x {case.spec.fan_in} weights packed for array {array.name} into {arguments.out}"
-        + (f", in {len(passes)} passes of up to {passes[0].spec.c_out} channels" if len(passes) > 1 else "")
+        + (f", in {len(passes)} passes of up to {first.c_in} -> {first.c_out} channels" if passes[1:] else "")
     )
     return 0
 
