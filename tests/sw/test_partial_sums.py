@@ -205,21 +205,26 @@ class FakeBlocks(FakeArray):
         super().__init__(TINY)
         self.c_in = c_in
         self.parts = {}
-        self.running = False
+        self.running = self.loading = False
         self.beside: list[bool] = []
 
     def read(self, offset):
         self.running &= offset != BY_NAME["CYCLES"].offset
         return super().read(offset)
 
+    def write(self, offset, value):
+        self.loading = (offset, value) in ((BY_NAME["CONTROL"].offset, 2), (BY_NAME["CONTROL"].offset, 4))
+        super().write(offset, value)
+
     def take(self, stream, raw):
-        if self.command != 1:
+        if self.loading:
             super().take(stream, raw)
+            self.loading = False
             if self.command == 2:
                 self.beside.append(self.running)
             return
-        self.running = True
         self.parts[stream] = np.frombuffer(raw, np.uint8).reshape(-1, TINY.stream_bits // 8)
+        self.running = True
         mode = self.registers["MODE"]
         sums_in, sums_out = mode >> 26 & 1, mode >> 27 & 1
         if len(self.parts) == 1 + sums_in:
