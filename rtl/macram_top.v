@@ -92,6 +92,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   wire \params__payload.last ;
   wire params__ready;
   wire params__valid;
+  wire [31:0] partial_c_in;
   wire [31:0] requant_base;
   wire [31:0] \requant_base$74 ;
   wire [31:0] residual;
@@ -173,20 +174,20 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .\error$638 (error),
     .fill_cycles(fill_cycles),
     .height(height),
-    .\i__payload$53 (i__payload),
-    .\i__payload$74 (params__payload),
-    .\i__ready$55 (s_axis_tready),
-    .\i__valid$57 (s_axis_tvalid),
-    .\i__valid$78 (s_axis_param_tvalid),
+    .\i__payload$6 (params__payload),
+    .\i__payload$62 (i__payload),
+    .\i__ready$64 (s_axis_tready),
+    .\i__valid$10 (s_axis_param_tvalid),
+    .\i__valid$66 (s_axis_tvalid),
     .input_stalls(input_stalls),
-    .loading(s_axis_param_tready),
     .mac_cycles(mac_cycles),
     .mode(mode),
-    .\o__payload$9 (o__payload),
-    .\o__ready$8 (m_axis_tready),
-    .\o__valid$7 (m_axis_tvalid),
+    .\o__payload$12 (o__payload),
+    .\o__ready$14 (m_axis_tready),
+    .\o__valid$16 (m_axis_tvalid),
     .output_stalls(output_stalls),
-    .\port$1210$0 (command),
+    .params__ready(s_axis_param_tready),
+    .\port$1218$0 (command),
     .requant_base(requant_base),
     .rst(rst),
     .weight_base(weight_base),
@@ -227,8 +228,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .output_stalls(output_stalls),
     .param_base(param_base),
     .param_words(words),
-    .\port$1264$0 (done),
-    .\port$1270$0 (error),
+    .\port$1272$0 (done),
+    .\port$1278$0 (error),
     .\port$2$0 (\$1 ),
     .requant_base(requant_base),
     .rst(rst),
@@ -283,6 +284,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign row_words = 32'd512;
   assign max_channels = 32'd67109888;
   assign residual = 32'd0;
+  assign partial_c_in = 32'd0;
   assign i__valid = s_axis_tvalid;
   assign i__ready = s_axis_tready;
   assign params__valid = s_axis_param_tvalid;
@@ -303,8 +305,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy, \i__ready$55 , \o__valid$7 , \i__payload$53 , \i__payload$74 , \port$1210$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$638 
-, cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$9 , loading, clk);
+module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy, \i__ready$64 , \o__valid$16 , \i__payload$62 , \i__payload$6 , \port$1218$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$638 
+, cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$12 , params__ready, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -325,60 +327,63 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire \$24 ;
   wire \$25 ;
   wire \$26 ;
-  wire [3:0] \$27 ;
-  wire [3:0] \$28 ;
+  wire \$27 ;
+  wire \$28 ;
   wire \$29 ;
   wire \$3 ;
-  wire \$30 ;
-  wire [2:0] \$31 ;
+  wire [3:0] \$30 ;
+  wire [3:0] \$31 ;
   wire \$32 ;
   wire \$33 ;
-  wire \$34 ;
+  wire [2:0] \$34 ;
   wire \$35 ;
   wire \$36 ;
   wire \$37 ;
   wire \$38 ;
   wire \$39 ;
   wire \$4 ;
-  wire [32:0] \$40 ;
+  wire \$40 ;
   wire \$41 ;
   wire \$42 ;
-  wire \$43 ;
-  wire [32:0] \$44 ;
-  wire [32:0] \$45 ;
-  wire [32:0] \$46 ;
+  wire [32:0] \$43 ;
+  wire \$44 ;
+  wire \$45 ;
+  wire \$46 ;
   wire [32:0] \$47 ;
   wire [32:0] \$48 ;
-  reg \$49 ;
+  wire [32:0] \$49 ;
   wire \$5 ;
-  reg [1:0] \$50 ;
-  reg \$51 ;
+  wire [32:0] \$50 ;
+  wire [32:0] \$51 ;
   reg \$52 ;
-  reg \$53 ;
-  reg [2:0] \$54 ;
-  reg [7:0] \$55 ;
-  reg [7:0] \$56 ;
-  reg [7:0] \$57 ;
+  reg [1:0] \$53 ;
+  reg \$54 ;
+  reg \$55 ;
+  reg \$56 ;
+  reg [2:0] \$57 ;
   reg [7:0] \$58 ;
-  reg \$59 ;
+  reg [7:0] \$59 ;
   wire [10:0] \$6 ;
-  reg \$60 ;
-  reg \$61 ;
-  reg [31:0] \$62 ;
-  reg [31:0] \$63 ;
-  reg [31:0] \$64 ;
+  reg [7:0] \$60 ;
+  reg [7:0] \$61 ;
+  reg \$62 ;
+  reg \$63 ;
+  reg \$64 ;
   reg [31:0] \$65 ;
   reg [31:0] \$66 ;
   reg [31:0] \$67 ;
-  wire [9:0] \$68 ;
-  wire [7:0] \$69 ;
+  reg [31:0] \$68 ;
+  reg [31:0] \$69 ;
   wire [10:0] \$7 ;
-  wire [671:0] \$70 ;
+  reg [31:0] \$70 ;
+  wire [9:0] \$71 ;
+  wire [7:0] \$72 ;
+  wire [671:0] \$73 ;
   wire \$8 ;
   wire [31:0] \$9 ;
   wire \$signal ;
-  wire \$signal$39 ;
-  wire \$signal$43 ;
+  wire \$signal$48 ;
+  wire \$signal$52 ;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -387,7 +392,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
   (* enum_value_110 = "BAD_RANGE" *)
-  reg [2:0] \$signal$45 ;
+  reg [2:0] \$signal$54 ;
   wire \$signal$630 ;
   reg \$signal$631  = 1'h0;
   reg \$signal$649  = 1'h0;
@@ -527,13 +532,13 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire blocked;
   output busy;
   wire busy;
-  wire \busy$34 ;
+  wire \busy$43 ;
   input [31:0] c_in;
   wire [31:0] c_in;
-  wire [31:0] \c_in$17 ;
+  wire [31:0] \c_in$26 ;
   input [31:0] c_out;
   wire [31:0] c_out;
-  wire [31:0] \c_out$19 ;
+  wire [31:0] \c_out$28 ;
   wire [75:0] chain_i;
   wire [75:0] \chain_i$137 ;
   wire [18:0] \chain_i$137[0] ;
@@ -1708,39 +1713,39 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire [18:0] \heads[3][3] ;
   input [31:0] height;
   wire [31:0] height;
-  wire [31:0] \height$13 ;
+  wire [31:0] \height$22 ;
   wire [15:0] \height$85 ;
   wire [49:0] i__payload;
-  input [64:0] \i__payload$53 ;
-  wire [64:0] \i__payload$53 ;
-  wire [63:0] \i__payload$53.data ;
-  wire \i__payload$53.last ;
-  wire [64:0] \i__payload$54 ;
-  wire [63:0] \i__payload$54.data ;
-  wire \i__payload$54.last ;
-  wire [63:0] \i__payload$59 ;
-  wire [47:0] \i__payload$65 ;
-  input [64:0] \i__payload$74 ;
-  wire [64:0] \i__payload$74 ;
-  wire [63:0] \i__payload$74.data ;
-  wire \i__payload$74.last ;
+  input [64:0] \i__payload$6 ;
+  wire [64:0] \i__payload$6 ;
+  wire [63:0] \i__payload$6.data ;
+  wire \i__payload$6.last ;
+  input [64:0] \i__payload$62 ;
+  wire [64:0] \i__payload$62 ;
+  wire [63:0] \i__payload$62.data ;
+  wire \i__payload$62.last ;
+  wire [64:0] \i__payload$63 ;
+  wire [63:0] \i__payload$63.data ;
+  wire \i__payload$63.last ;
+  wire [63:0] \i__payload$68 ;
+  wire [47:0] \i__payload$74 ;
   wire [47:0] \i__payload.data ;
   wire \i__payload.last ;
   wire \i__payload.pixel_last ;
   wire i__ready;
-  output \i__ready$55 ;
-  wire \i__ready$55 ;
-  wire \i__ready$56 ;
-  wire \i__ready$62 ;
-  wire \i__ready$68 ;
+  output \i__ready$64 ;
+  wire \i__ready$64 ;
+  wire \i__ready$65 ;
+  wire \i__ready$71 ;
   wire \i__ready$77 ;
+  wire \i__ready$9 ;
   wire i__valid;
-  input \i__valid$57 ;
-  wire \i__valid$57 ;
-  wire \i__valid$58 ;
-  wire \i__valid$63 ;
-  wire \i__valid$69 ;
-  input \i__valid$78 ;
+  input \i__valid$10 ;
+  wire \i__valid$10 ;
+  input \i__valid$66 ;
+  wire \i__valid$66 ;
+  wire \i__valid$67 ;
+  wire \i__valid$72 ;
   wire \i__valid$78 ;
   wire idle;
   wire image_written;
@@ -1783,38 +1788,37 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire last_beat0;
   reg last_beat_gone0 = 1'h0;
   wire [32:0] load_end;
-  output loading;
   wire loading;
   output [31:0] mac_cycles;
   reg [31:0] mac_cycles = 32'd0;
   input [31:0] mode;
   wire [31:0] mode;
-  wire [31:0] \mode$21 ;
+  wire [31:0] \mode$30 ;
   wire [49:0] o__payload;
-  wire [63:0] \o__payload$60 ;
-  wire [47:0] \o__payload$66 ;
-  wire [64:0] \o__payload$71 ;
-  wire [63:0] \o__payload$71.data ;
-  wire \o__payload$71.last ;
-  output [64:0] \o__payload$9 ;
-  wire [64:0] \o__payload$9 ;
-  wire [63:0] \o__payload$9.data ;
-  wire \o__payload$9.last ;
+  output [64:0] \o__payload$12 ;
+  wire [64:0] \o__payload$12 ;
+  wire [63:0] \o__payload$12.data ;
+  wire \o__payload$12.last ;
+  wire [64:0] \o__payload$13 ;
+  wire [63:0] \o__payload$13.data ;
+  wire \o__payload$13.last ;
+  wire [63:0] \o__payload$69 ;
+  wire [47:0] \o__payload$75 ;
   wire [47:0] \o__payload.data ;
   wire \o__payload.last ;
   wire \o__payload.pixel_last ;
   wire o__ready;
-  wire \o__ready$61 ;
-  wire \o__ready$67 ;
-  wire \o__ready$72 ;
-  input \o__ready$8 ;
-  wire \o__ready$8 ;
+  input \o__ready$14 ;
+  wire \o__ready$14 ;
+  wire \o__ready$15 ;
+  wire \o__ready$70 ;
+  wire \o__ready$76 ;
   wire o__valid;
-  wire \o__valid$64 ;
-  output \o__valid$7 ;
-  wire \o__valid$7 ;
-  wire \o__valid$70 ;
+  output \o__valid$16 ;
+  wire \o__valid$16 ;
+  wire \o__valid$17 ;
   wire \o__valid$73 ;
+  wire \o__valid$79 ;
   wire open;
   output [31:0] output_stalls;
   reg [31:0] output_stalls = 32'd0;
@@ -1823,10 +1827,11 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire [64:0] params__payload;
   wire [63:0] \params__payload.data ;
   wire \params__payload.last ;
+  output params__ready;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1210$0 ;
-  wire [3:0] \port$1210$0 ;
+  input [3:0] \port$1218$0 ;
+  wire [3:0] \port$1218$0 ;
   wire [14:0] read;
   wire [7:0] \read.address ;
   wire \read.bank ;
@@ -1837,7 +1842,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire [671:0] \requant.data ;
   input [31:0] requant_base;
   wire [31:0] requant_base;
-  wire [31:0] \requant_base$25 ;
+  wire [31:0] \requant_base$34 ;
   wire [7:0] \requant_base$98 ;
   wire requant_en;
   wire [8:0] requant_end;
@@ -1849,25 +1854,25 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire rst;
   reg running = 1'h0;
   wire [199:0] shape;
-  wire [199:0] \shape$52 ;
-  wire [15:0] \shape$52.beats_in ;
-  wire [15:0] \shape$52.beats_out ;
-  wire [15:0] \shape$52.beats_residual ;
-  wire \shape$52.biased ;
-  wire [13:0] \shape$52.blocks ;
-  wire [14:0] \shape$52.column_words ;
-  wire [14:0] \shape$52.groups ;
-  wire \shape$52.halved ;
-  wire [15:0] \shape$52.height ;
-  wire [13:0] \shape$52.ingest_words ;
-  wire [15:0] \shape$52.out_height ;
-  wire [15:0] \shape$52.out_width ;
-  wire [11:0] \shape$52.output_words ;
-  wire \shape$52.pointwise ;
-  wire \shape$52.residual ;
-  wire [1:0] \shape$52.tail ;
-  wire [11:0] \shape$52.tiles ;
-  wire [15:0] \shape$52.width ;
+  wire [199:0] \shape$61 ;
+  wire [15:0] \shape$61.beats_in ;
+  wire [15:0] \shape$61.beats_out ;
+  wire [15:0] \shape$61.beats_residual ;
+  wire \shape$61.biased ;
+  wire [13:0] \shape$61.blocks ;
+  wire [14:0] \shape$61.column_words ;
+  wire [14:0] \shape$61.groups ;
+  wire \shape$61.halved ;
+  wire [15:0] \shape$61.height ;
+  wire [13:0] \shape$61.ingest_words ;
+  wire [15:0] \shape$61.out_height ;
+  wire [15:0] \shape$61.out_width ;
+  wire [11:0] \shape$61.output_words ;
+  wire \shape$61.pointwise ;
+  wire \shape$61.residual ;
+  wire [1:0] \shape$61.tail ;
+  wire [11:0] \shape$61.tiles ;
+  wire [15:0] \shape$61.width ;
   wire [199:0] \shape$80 ;
   wire [15:0] \shape$80.beats_in ;
   wire [15:0] \shape$80.beats_out ;
@@ -2053,17 +2058,17 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire [71:0] \weight.data ;
   input [31:0] weight_base;
   wire [31:0] weight_base;
-  wire [31:0] \weight_base$23 ;
+  wire [31:0] \weight_base$32 ;
   wire [9:0] \weight_base$97 ;
   wire [10:0] weight_end;
   input [31:0] width;
   wire [31:0] width;
-  wire [31:0] \width$15 ;
+  wire [31:0] \width$24 ;
   wire [15:0] \width$84 ;
   wire [95:0] word;
   input [31:0] words;
   wire [31:0] words;
-  wire [31:0] \words$27 ;
+  wire [31:0] \words$36 ;
   wire [15:0] words_per_pixel;
   wire [679:0] write;
   wire [81:0] \write$118 ;
@@ -2325,110 +2330,110 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire \write_en$612 ;
   wire \write_en$618 ;
   wire \write_en$624 ;
-  assign \$21  = ! error;
-  assign \$22  = \$21  & loading;
-  assign \$23  = \$22  & overlaps;
-  assign \$24  = ! verdict;
+  assign \$18  = ! words;
+  assign \$19  = \$18  | \$signal$48 ;
+  assign \$20  = busy & overlaps;
+  assign \$21  = \$19  | \$20 ;
+  assign \$22  = \wait  == 1'h1;
+  assign \$23  = ! error;
+  assign \$24  = \$23  & params__ready;
+  assign \$26  = \$24  & \$25 ;
+  assign \$27  = ! verdict;
   assign finished = control3[0] & control3[2];
-  assign first_beat = \i__valid$57  & \i__ready$55 ;
-  assign \$25  = first_beat | \$signal$631 ;
-  assign \$26  = ~ ended;
-  assign \$signal$630  = \$25  & \$26 ;
-  assign \$27  = \port$1210$0 [2:0] - 1'h1;
-  assign \$28  = { 1'h0, \port$1210$0 [2:0] } & \$27 ;
-  assign \$29  = | \$28 ;
-  assign \$30  = | \wait ;
-  assign \$31  = \wait  - 1'h1;
-  assign \$32  = \wait  == 1'h1;
-  assign \$33  = running & delivered;
-  assign \$34  = ~ open;
-  assign \$35  = \$33  & \$34 ;
-  assign \$36  = \$signal$43  & idle;
-  assign \$37  = ! \error$638 ;
-  assign \$38  = | \$signal$45 ;
-  assign \$39  = | verdict;
-  assign \$40  = cycles + 1'h1;
-  assign \$41  = ~ \$signal$649 ;
-  assign \$42  = ~ flushing;
-  assign \$43  = blocked & \$42 ;
-  assign \$44  = mac_cycles + 1'h1;
-  assign \$45  = fill_cycles + 1'h1;
-  assign \$46  = input_stalls + 1'h1;
-  assign \$47  = output_stalls + 1'h1;
-  assign \$48  = drain_cycles + 1'h1;
+  assign first_beat = \i__valid$66  & \i__ready$64 ;
+  assign \$28  = first_beat | \$signal$631 ;
+  assign \$29  = ~ ended;
+  assign \$signal$630  = \$28  & \$29 ;
+  assign \$30  = \port$1218$0 [2:0] - 1'h1;
+  assign \$31  = { 1'h0, \port$1218$0 [2:0] } & \$30 ;
+  assign \$32  = | \$31 ;
+  assign \$33  = | \wait ;
+  assign \$34  = \wait  - 1'h1;
+  assign \$35  = \wait  == 1'h1;
+  assign \$36  = running & delivered;
+  assign \$37  = ~ open;
+  assign \$38  = \$36  & \$37 ;
+  assign \$39  = \$signal$52  & idle;
+  assign \$40  = ! \error$638 ;
+  assign \$41  = | \$signal$54 ;
+  assign \$42  = | verdict;
+  assign \$43  = cycles + 1'h1;
+  assign \$44  = ~ \$signal$649 ;
+  assign \$45  = ~ flushing;
+  assign \$46  = blocked & \$45 ;
+  assign \$47  = mac_cycles + 1'h1;
+  assign \$48  = fill_cycles + 1'h1;
+  assign \$49  = input_stalls + 1'h1;
+  assign \$50  = output_stalls + 1'h1;
+  assign \$51  = drain_cycles + 1'h1;
   always @(posedge clk)
-    last_beat_gone0 <= \$49 ;
+    last_beat_gone0 <= \$52 ;
   always @(posedge clk)
-    \wait  <= \$50 ;
+    \wait  <= \$53 ;
   always @(posedge clk)
-    done <= \$51 ;
+    done <= \$54 ;
   always @(posedge clk)
-    running <= \$52 ;
+    running <= \$55 ;
   always @(posedge clk)
-    delivered <= \$53 ;
+    delivered <= \$56 ;
   always @(posedge clk)
-    \error$638  <= \$54 ;
+    \error$638  <= \$57 ;
   always @(posedge clk)
-    control0 <= \$55 ;
+    control0 <= \$58 ;
   always @(posedge clk)
     info0 <= step[43:33];
   always @(posedge clk)
-    control1 <= \$56 ;
+    control1 <= \$59 ;
   always @(posedge clk)
     info1 <= info0;
   always @(posedge clk)
-    control <= \$57 ;
+    control <= \$60 ;
   always @(posedge clk)
     info2 <= info1;
   always @(posedge clk)
-    control3 <= \$58 ;
+    control3 <= \$61 ;
   always @(posedge clk)
     info <= info2;
   always @(posedge clk)
-    \$signal$631  <= \$59 ;
+    \$signal$631  <= \$62 ;
   always @(posedge clk)
-    \$signal$649  <= \$60 ;
+    \$signal$649  <= \$63 ;
   always @(posedge clk)
-    ended <= \$61 ;
+    ended <= \$64 ;
   always @(posedge clk)
-    cycles <= \$62 ;
+    cycles <= \$65 ;
   always @(posedge clk)
-    mac_cycles <= \$63 ;
+    mac_cycles <= \$66 ;
   always @(posedge clk)
-    fill_cycles <= \$64 ;
+    fill_cycles <= \$67 ;
   always @(posedge clk)
-    input_stalls <= \$65 ;
+    input_stalls <= \$68 ;
   always @(posedge clk)
-    output_stalls <= \$66 ;
+    output_stalls <= \$69 ;
   always @(posedge clk)
-    drain_cycles <= \$67 ;
-  assign \$1  = \o__valid$7  & \o__ready$8 ;
-  assign last_beat0 = \$1  & \o__payload$9 [64];
+    drain_cycles <= \$70 ;
+  assign \$1  = \o__valid$16  & \o__ready$14 ;
+  assign last_beat0 = \$1  & \o__payload$12 [64];
   assign \$3  = last_beat0 | last_beat_gone0;
   assign last_beat = \$2  & \$4 ;
   assign \$5  = | \wait ;
   assign busy = running | \$5 ;
-  assign \$signal  = loading ? to_requant : \port$1210$0 [2];
+  assign \$signal  = params__ready ? to_requant : \port$1218$0 [2];
   assign load_end = base + words;
   assign \$6  = \$signal  ? 11'h100 : 11'h400;
-  assign \$signal$39  = load_end > \$6 ;
+  assign \$signal$48  = load_end > \$6 ;
   assign \$7  = \$signal  ? { 2'h0, requant_end } : weight_end;
   assign \$8  = base < \$7 ;
   assign \$9  = \$signal  ? requant_base : weight_base;
   assign \$10  = load_end > \$9 ;
   assign overlaps = \$8  & \$10 ;
-  assign \$signal$43  = | \port$1210$0 [2:0];
+  assign \$signal$52  = | \port$1218$0 [2:0];
   assign \$11  = ~ busy;
-  assign \$12  = ~ loading;
+  assign \$12  = ~ params__ready;
   assign idle = \$11  & \$12 ;
-  assign \$13  = \port$1210$0 [2:0] - 1'h1;
-  assign \$14  = { 1'h0, \port$1210$0 [2:0] } & \$13 ;
+  assign \$13  = \port$1218$0 [2:0] - 1'h1;
+  assign \$14  = { 1'h0, \port$1218$0 [2:0] } & \$13 ;
   assign \$15  = | \$14 ;
-  assign \$16  = ! words;
-  assign \$17  = \$16  | \$signal$39 ;
-  assign \$18  = busy & overlaps;
-  assign \$19  = \$17  | \$18 ;
-  assign \$20  = \wait  == 1'h1;
   \macram_top.array.decoder  decoder (
     .c_in(c_in),
     .c_out(c_out),
@@ -2440,7 +2445,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .requant_end(requant_end),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1210$0 [3]),
+    .soft_reset(\port$1218$0 [3]),
     .weight_base(weight_base),
     .weight_end(weight_end),
     .width(width)
@@ -2449,18 +2454,18 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .clk(clk),
     .credit(credit),
     .finished(finished),
-    .\heads$60 (heads),
+    .\heads$61 (heads),
     .info(info),
     .o__payload(i__payload),
     .o__ready(o__ready),
-    .reload__addr(\$69 ),
-    .reload__data(\$70 ),
+    .reload__addr(\$72 ),
+    .reload__data(\$73 ),
     .reload__en(write_en),
     .requant_base(requant_base[7:0]),
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1210$0 [3]),
+    .soft_reset(\port$1218$0 [3]),
     .start(start),
     .valid(i__valid)
   );
@@ -2470,54 +2475,54 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .i__payload(i__payload),
     .i__ready(o__ready),
     .i__valid(i__valid),
-    .o__payload(\o__payload$9 ),
-    .o__ready(\o__ready$8 ),
-    .o__valid(\o__valid$7 ),
+    .o__payload(\o__payload$12 ),
+    .o__ready(\o__ready$14 ),
+    .o__valid(\o__valid$16 ),
     .rst(rst),
-    .soft_reset(\port$1210$0 [3])
+    .soft_reset(\port$1218$0 [3])
   );
   \macram_top.array.frame  frame (
     .beats(shape[147:132]),
     .clk(clk),
     .error(\error$641 ),
     .fault(fault),
-    .i__payload(\i__payload$53 ),
-    .i__ready(\i__ready$55 ),
-    .i__valid(\i__valid$57 ),
-    .o__ready(\o__ready$61 ),
-    .o__valid(\i__valid$63 ),
+    .i__payload(\i__payload$62 ),
+    .i__ready(\i__ready$64 ),
+    .i__valid(\i__valid$66 ),
+    .o__ready(\o__ready$70 ),
+    .o__valid(\i__valid$72 ),
     .open(open),
-    .\port$1305$0 (shape[31:0]),
+    .\port$1313$0 (shape[31:0]),
     .rst(rst),
-    .soft_reset(\port$1210$0 [3]),
+    .soft_reset(\port$1218$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
     .beats_per_pixel(shape[147:132]),
     .clk(clk),
-    .i__payload(\i__payload$53 [63:0]),
-    .i__ready(\o__ready$61 ),
-    .i__valid(\i__valid$63 ),
-    .o__payload(\i__payload$65 ),
-    .o__ready(\o__ready$67 ),
-    .o__valid(\i__valid$69 ),
-    .\port$1305$79 (shape[92:79]),
+    .i__payload(\i__payload$62 [63:0]),
+    .i__ready(\o__ready$70 ),
+    .i__valid(\i__valid$72 ),
+    .o__payload(\i__payload$74 ),
+    .o__ready(\o__ready$76 ),
+    .o__valid(\i__valid$78 ),
+    .\port$1313$79 (shape[92:79]),
     .rst(rst),
-    .soft_reset(\port$1210$0 [3])
+    .soft_reset(\port$1218$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
     .group_written(group_written),
-    .i__payload(\i__payload$65 ),
-    .i__ready(\o__ready$67 ),
-    .i__valid(\i__valid$69 ),
+    .i__payload(\i__payload$74 ),
+    .i__ready(\o__ready$76 ),
+    .i__valid(\i__valid$78 ),
     .image_written(image_written),
     .read(step[14:0]),
     .retire(retire),
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1210$0 [3]),
+    .soft_reset(\port$1218$0 [3]),
     .start(start),
     .word(activations)
   );
@@ -2526,15 +2531,15 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .clk(clk),
     .error(\error$642 ),
     .fault(\fault$640 ),
-    .i__payload(\i__payload$74 ),
-    .i__ready(loading),
-    .i__valid(\i__valid$78 ),
-    .\port$1561$0 (\$68 ),
-    .\port$1563$0 (\$69 ),
-    .\port$1565$0 (\$70 ),
+    .i__payload(\i__payload$6 ),
+    .i__ready(params__ready),
+    .i__valid(\i__valid$10 ),
+    .\port$1569$0 (\$71 ),
+    .\port$1571$0 (\$72 ),
+    .\port$1573$0 (\$73 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1210$0 [3]),
+    .soft_reset(\port$1218$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
     .to_requant(to_requant),
@@ -2553,7 +2558,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1210$0 [3]),
+    .soft_reset(\port$1218$0 [3]),
     .start(start),
     .starved(starved),
     .\step$45 (step),
@@ -2568,8 +2573,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[0])
   );
   \macram_top.array.unit001  unit001 (
@@ -2581,8 +2586,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[1])
   );
   \macram_top.array.unit002  unit002 (
@@ -2594,8 +2599,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[2])
   );
   \macram_top.array.unit003  unit003 (
@@ -2607,8 +2612,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[3])
   );
   \macram_top.array.unit004  unit004 (
@@ -2620,8 +2625,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[4])
   );
   \macram_top.array.unit005  unit005 (
@@ -2633,8 +2638,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[5])
   );
   \macram_top.array.unit006  unit006 (
@@ -2646,8 +2651,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[6])
   );
   \macram_top.array.unit007  unit007 (
@@ -2659,8 +2664,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[7])
   );
   \macram_top.array.unit008  unit008 (
@@ -2672,8 +2677,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[8])
   );
   \macram_top.array.unit009  unit009 (
@@ -2685,8 +2690,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[9])
   );
   \macram_top.array.unit010  unit010 (
@@ -2698,8 +2703,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[10])
   );
   \macram_top.array.unit011  unit011 (
@@ -2711,8 +2716,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[11])
   );
   \macram_top.array.unit012  unit012 (
@@ -2724,8 +2729,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[12])
   );
   \macram_top.array.unit013  unit013 (
@@ -2737,8 +2742,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[13])
   );
   \macram_top.array.unit014  unit014 (
@@ -2750,8 +2755,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[14])
   );
   \macram_top.array.unit015  unit015 (
@@ -2763,8 +2768,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[15])
   );
   \macram_top.array.unit016  unit016 (
@@ -2776,8 +2781,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[16])
   );
   \macram_top.array.unit017  unit017 (
@@ -2789,8 +2794,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[17])
   );
   \macram_top.array.unit018  unit018 (
@@ -2802,8 +2807,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[18])
   );
   \macram_top.array.unit019  unit019 (
@@ -2815,8 +2820,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[19])
   );
   \macram_top.array.unit020  unit020 (
@@ -2828,8 +2833,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[20])
   );
   \macram_top.array.unit021  unit021 (
@@ -2841,8 +2846,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[21])
   );
   \macram_top.array.unit022  unit022 (
@@ -2854,8 +2859,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[22])
   );
   \macram_top.array.unit023  unit023 (
@@ -2867,8 +2872,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[23])
   );
   \macram_top.array.unit024  unit024 (
@@ -2880,8 +2885,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[24])
   );
   \macram_top.array.unit025  unit025 (
@@ -2893,8 +2898,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[25])
   );
   \macram_top.array.unit026  unit026 (
@@ -2906,8 +2911,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[26])
   );
   \macram_top.array.unit027  unit027 (
@@ -2919,8 +2924,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[27])
   );
   \macram_top.array.unit028  unit028 (
@@ -2932,8 +2937,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[28])
   );
   \macram_top.array.unit029  unit029 (
@@ -2945,8 +2950,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[29])
   );
   \macram_top.array.unit030  unit030 (
@@ -2958,8 +2963,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[30])
   );
   \macram_top.array.unit031  unit031 (
@@ -2971,8 +2976,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[31])
   );
   \macram_top.array.unit032  unit032 (
@@ -2984,8 +2989,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[32])
   );
   \macram_top.array.unit033  unit033 (
@@ -2997,8 +3002,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[33])
   );
   \macram_top.array.unit034  unit034 (
@@ -3010,8 +3015,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[34])
   );
   \macram_top.array.unit035  unit035 (
@@ -3023,8 +3028,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[35])
   );
   \macram_top.array.unit036  unit036 (
@@ -3036,8 +3041,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[36])
   );
   \macram_top.array.unit037  unit037 (
@@ -3049,8 +3054,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[37])
   );
   \macram_top.array.unit038  unit038 (
@@ -3062,8 +3067,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[38])
   );
   \macram_top.array.unit039  unit039 (
@@ -3075,8 +3080,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[39])
   );
   \macram_top.array.unit040  unit040 (
@@ -3088,8 +3093,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[40])
   );
   \macram_top.array.unit041  unit041 (
@@ -3101,8 +3106,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[41])
   );
   \macram_top.array.unit042  unit042 (
@@ -3114,8 +3119,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[42])
   );
   \macram_top.array.unit043  unit043 (
@@ -3127,8 +3132,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[43])
   );
   \macram_top.array.unit044  unit044 (
@@ -3140,8 +3145,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[44])
   );
   \macram_top.array.unit045  unit045 (
@@ -3153,8 +3158,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[45])
   );
   \macram_top.array.unit046  unit046 (
@@ -3166,8 +3171,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[46])
   );
   \macram_top.array.unit047  unit047 (
@@ -3179,8 +3184,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[47])
   );
   \macram_top.array.unit048  unit048 (
@@ -3192,8 +3197,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[48])
   );
   \macram_top.array.unit049  unit049 (
@@ -3205,8 +3210,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[49])
   );
   \macram_top.array.unit050  unit050 (
@@ -3218,8 +3223,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[50])
   );
   \macram_top.array.unit051  unit051 (
@@ -3231,8 +3236,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[51])
   );
   \macram_top.array.unit052  unit052 (
@@ -3244,8 +3249,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[52])
   );
   \macram_top.array.unit053  unit053 (
@@ -3257,8 +3262,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[53])
   );
   \macram_top.array.unit054  unit054 (
@@ -3270,8 +3275,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[54])
   );
   \macram_top.array.unit055  unit055 (
@@ -3283,8 +3288,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[55])
   );
   \macram_top.array.unit056  unit056 (
@@ -3296,8 +3301,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[56])
   );
   \macram_top.array.unit057  unit057 (
@@ -3309,8 +3314,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[57])
   );
   \macram_top.array.unit058  unit058 (
@@ -3322,8 +3327,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[58])
   );
   \macram_top.array.unit059  unit059 (
@@ -3335,8 +3340,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[59])
   );
   \macram_top.array.unit060  unit060 (
@@ -3347,8 +3352,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[60])
   );
   \macram_top.array.unit061  unit061 (
@@ -3359,8 +3364,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[61])
   );
   \macram_top.array.unit062  unit062 (
@@ -3371,8 +3376,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[62])
   );
   \macram_top.array.unit063  unit063 (
@@ -3383,24 +3388,24 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$68 ),
-    .write__data(\$70 [647:576]),
+    .write__addr(\$71 ),
+    .write__data(\$73 [647:576]),
     .write__en(unit_en[63])
   );
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$signal$45  = 3'h0;
+    \$signal$54  = 3'h0;
     if (\$15 ) begin
-      \$signal$45  = 3'h5;
-    end else if (\port$1210$0 [0]) begin
+      \$signal$54  = 3'h5;
+    end else if (\port$1218$0 [0]) begin
       if (busy) begin
-        \$signal$45  = 3'h5;
+        \$signal$54  = 3'h5;
       end
-    end else if (\$signal$43 ) begin
-      if (loading) begin
-        \$signal$45  = 3'h5;
-      end else if (\$19 ) begin
-        \$signal$45  = 3'h6;
+    end else if (\$signal$52 ) begin
+      if (\$17 ) begin
+        \$signal$54  = 3'h5;
+      end else if (\$21 ) begin
+        \$signal$54  = 3'h6;
       end
     end
   end
@@ -3408,13 +3413,13 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_weights = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1210$0 [0]) begin
-    end else if (\$signal$43 ) begin
+    end else if (\port$1218$0 [0]) begin
+    end else if (\$signal$52 ) begin
       (* full_case = 32'd1 *)
-      if (loading) begin
-      end else if (\$19 ) begin
+      if (\$17 ) begin
+      end else if (\$21 ) begin
       end else begin
-        start_weights = \port$1210$0 [1];
+        start_weights = \port$1218$0 [1];
       end
     end
   end
@@ -3422,22 +3427,22 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_requant = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1210$0 [0]) begin
-    end else if (\$signal$43 ) begin
+    end else if (\port$1218$0 [0]) begin
+    end else if (\$signal$52 ) begin
       (* full_case = 32'd1 *)
-      if (loading) begin
-      end else if (\$19 ) begin
+      if (\$17 ) begin
+      end else if (\$21 ) begin
       end else begin
-        start_requant = \port$1210$0 [2];
+        start_requant = \port$1218$0 [2];
       end
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     verdict = 3'h0;
-    if (\$20 ) begin
+    if (\$22 ) begin
       (* full_case = 32'd1 *)
-      if (\$23 ) begin
+      if (\$26 ) begin
         verdict = 3'h6;
       end else begin
         verdict = error;
@@ -3447,159 +3452,129 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start = 1'h0;
-    if (\$20 ) begin
-      start = \$24 ;
+    if (\$22 ) begin
+      start = \$27 ;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$49  = last_beat_gone0;
+    \$52  = last_beat_gone0;
     if (start) begin
-      \$49  = 1'h0;
+      \$52  = 1'h0;
     end else if (last_beat0) begin
-      \$49  = 1'h1;
+      \$52  = 1'h1;
     end
-    if (\port$1210$0 [3]) begin
-      \$49  = 1'h0;
+    if (\port$1218$0 [3]) begin
+      \$52  = 1'h0;
     end
     if (rst) begin
-      \$49  = 1'h0;
+      \$52  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$50  = \wait ;
-    if (\$29 ) begin
-    end else if (\port$1210$0 [0]) begin
-      (* full_case = 32'd1 *)
-      if (busy) begin
-      end else begin
-        \$50  = 2'h3;
-      end
-    end
-    if (\$30 ) begin
-      \$50  = \$31 [1:0];
-    end
-    if (\port$1210$0 [3]) begin
-      \$50  = 2'h0;
-    end
-    if (rst) begin
-      \$50  = 2'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$51  = done;
-    if (\$29 ) begin
-    end else if (\port$1210$0 [0]) begin
-      (* full_case = 32'd1 *)
-      if (busy) begin
-      end else begin
-        \$51  = 1'h0;
-      end
-    end
-    if (\$35 ) begin
-      \$51  = 1'h1;
-    end
-    if (\$36 ) begin
-      \$51  = 1'h0;
-    end
-    if (\port$1210$0 [3]) begin
-      \$51  = 1'h0;
-    end
-    if (rst) begin
-      \$51  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$52  = running;
+    \$53  = \wait ;
     if (\$32 ) begin
-      \$52  = start;
+    end else if (\port$1218$0 [0]) begin
+      (* full_case = 32'd1 *)
+      if (busy) begin
+      end else begin
+        \$53  = 2'h3;
+      end
     end
-    if (\$35 ) begin
-      \$52  = 1'h0;
+    if (\$33 ) begin
+      \$53  = \$34 [1:0];
     end
-    if (\port$1210$0 [3]) begin
-      \$52  = 1'h0;
+    if (\port$1218$0 [3]) begin
+      \$53  = 2'h0;
     end
     if (rst) begin
-      \$52  = 1'h0;
+      \$53  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$53  = delivered;
+    \$54  = done;
+    if (\$32 ) begin
+    end else if (\port$1218$0 [0]) begin
+      (* full_case = 32'd1 *)
+      if (busy) begin
+      end else begin
+        \$54  = 1'h0;
+      end
+    end
+    if (\$38 ) begin
+      \$54  = 1'h1;
+    end
+    if (\$39 ) begin
+      \$54  = 1'h0;
+    end
+    if (\port$1218$0 [3]) begin
+      \$54  = 1'h0;
+    end
+    if (rst) begin
+      \$54  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$55  = running;
+    if (\$35 ) begin
+      \$55  = start;
+    end
+    if (\$38 ) begin
+      \$55  = 1'h0;
+    end
+    if (\port$1218$0 [3]) begin
+      \$55  = 1'h0;
+    end
+    if (rst) begin
+      \$55  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$56  = delivered;
     if (last_beat) begin
-      \$53  = 1'h1;
+      \$56  = 1'h1;
     end
-    if (\$35 ) begin
-      \$53  = 1'h0;
+    if (\$38 ) begin
+      \$56  = 1'h0;
     end
-    if (\port$1210$0 [3]) begin
-      \$53  = 1'h0;
+    if (\port$1218$0 [3]) begin
+      \$56  = 1'h0;
     end
     if (rst) begin
-      \$53  = 1'h0;
+      \$56  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$54  = \error$638 ;
-    if (\$36 ) begin
-      \$54  = \$signal$45 ;
-    end else if (\$37 ) begin
-      if (\$38 ) begin
-        \$54  = \$signal$45 ;
-      end else if (\$39 ) begin
-        \$54  = verdict;
+    \$57  = \error$638 ;
+    if (\$39 ) begin
+      \$57  = \$signal$54 ;
+    end else if (\$40 ) begin
+      if (\$41 ) begin
+        \$57  = \$signal$54 ;
+      end else if (\$42 ) begin
+        \$57  = verdict;
       end else if (fault) begin
-        \$54  = \error$641 ;
+        \$57  = \error$641 ;
       end else if (\fault$640 ) begin
-        \$54  = \error$642 ;
+        \$57  = \error$642 ;
       end
     end
-    if (\port$1210$0 [3]) begin
-      \$54  = 3'h0;
+    if (\port$1218$0 [3]) begin
+      \$57  = 3'h0;
     end
     if (rst) begin
-      \$54  = 3'h0;
+      \$57  = 3'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$55  = step[32:25];
-    if (\port$1210$0 [3]) begin
-      \$55  = 8'h00;
-    end
-    if (rst) begin
-      \$55  = 8'h00;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$56  = control0;
-    if (\port$1210$0 [3]) begin
-      \$56  = 8'h00;
-    end
-    if (rst) begin
-      \$56  = 8'h00;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$57  = control1;
-    if (\port$1210$0 [3]) begin
-      \$57  = 8'h00;
-    end
-    if (rst) begin
-      \$57  = 8'h00;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$58  = control;
-    if (\port$1210$0 [3]) begin
+    \$58  = step[32:25];
+    if (\port$1218$0 [3]) begin
       \$58  = 8'h00;
     end
     if (rst) begin
@@ -3608,119 +3583,92 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$59  = \$signal$631 ;
+    \$59  = control0;
+    if (\port$1218$0 [3]) begin
+      \$59  = 8'h00;
+    end
+    if (rst) begin
+      \$59  = 8'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$60  = control1;
+    if (\port$1218$0 [3]) begin
+      \$60  = 8'h00;
+    end
+    if (rst) begin
+      \$60  = 8'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$61  = control;
+    if (\port$1218$0 [3]) begin
+      \$61  = 8'h00;
+    end
+    if (rst) begin
+      \$61  = 8'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$62  = \$signal$631 ;
     if (first_beat) begin
-      \$59  = 1'h1;
+      \$62  = 1'h1;
     end
     if (start) begin
-      \$59  = 1'h0;
+      \$62  = 1'h0;
     end
-    if (\port$1210$0 [3]) begin
-      \$59  = 1'h0;
+    if (\port$1218$0 [3]) begin
+      \$62  = 1'h0;
     end
     if (rst) begin
-      \$59  = 1'h0;
+      \$62  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$60  = \$signal$649 ;
+    \$63  = \$signal$649 ;
     if (issue) begin
-      \$60  = 1'h1;
+      \$63  = 1'h1;
     end
     if (start) begin
-      \$60  = 1'h0;
+      \$63  = 1'h0;
     end
-    if (\port$1210$0 [3]) begin
-      \$60  = 1'h0;
+    if (\port$1218$0 [3]) begin
+      \$63  = 1'h0;
     end
     if (rst) begin
-      \$60  = 1'h0;
+      \$63  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$61  = ended;
+    \$64  = ended;
     if (last_beat) begin
-      \$61  = 1'h1;
+      \$64  = 1'h1;
     end
     if (start) begin
-      \$61  = 1'h0;
+      \$64  = 1'h0;
     end
-    if (\port$1210$0 [3]) begin
-      \$61  = 1'h0;
+    if (\port$1218$0 [3]) begin
+      \$64  = 1'h0;
     end
     if (rst) begin
-      \$61  = 1'h0;
+      \$64  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$62  = cycles;
+    \$65  = cycles;
     if (\$signal$630 ) begin
-      \$62  = \$40 [31:0];
-    end
-    if (start) begin
-      \$62  = 32'd0;
-    end
-    if (\port$1210$0 [3]) begin
-      \$62  = 32'd0;
-    end
-    if (rst) begin
-      \$62  = 32'd0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$63  = mac_cycles;
-    if (\$signal$630 ) begin
-      if (issue) begin
-        \$63  = \$44 [31:0];
-      end
-    end
-    if (start) begin
-      \$63  = 32'd0;
-    end
-    if (\port$1210$0 [3]) begin
-      \$63  = 32'd0;
-    end
-    if (rst) begin
-      \$63  = 32'd0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$64  = fill_cycles;
-    if (\$signal$630 ) begin
-      if (issue) begin
-      end else if (\$41 ) begin
-        \$64  = \$45 [31:0];
-      end
-    end
-    if (start) begin
-      \$64  = 32'd0;
-    end
-    if (\port$1210$0 [3]) begin
-      \$64  = 32'd0;
-    end
-    if (rst) begin
-      \$64  = 32'd0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$65  = input_stalls;
-    if (\$signal$630 ) begin
-      if (issue) begin
-      end else if (\$41 ) begin
-      end else if (starved) begin
-        \$65  = \$46 [31:0];
-      end
+      \$65  = \$43 [31:0];
     end
     if (start) begin
       \$65  = 32'd0;
     end
-    if (\port$1210$0 [3]) begin
+    if (\port$1218$0 [3]) begin
       \$65  = 32'd0;
     end
     if (rst) begin
@@ -3729,19 +3677,16 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$66  = output_stalls;
+    \$66  = mac_cycles;
     if (\$signal$630 ) begin
       if (issue) begin
-      end else if (\$41 ) begin
-      end else if (starved) begin
-      end else if (\$43 ) begin
         \$66  = \$47 [31:0];
       end
     end
     if (start) begin
       \$66  = 32'd0;
     end
-    if (\port$1210$0 [3]) begin
+    if (\port$1218$0 [3]) begin
       \$66  = 32'd0;
     end
     if (rst) begin
@@ -3750,59 +3695,119 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$67  = drain_cycles;
+    \$67  = fill_cycles;
     if (\$signal$630 ) begin
-      (* full_case = 32'd1 *)
       if (issue) begin
-      end else if (\$41 ) begin
-      end else if (starved) begin
-      end else if (\$43 ) begin
-      end else begin
+      end else if (\$44 ) begin
         \$67  = \$48 [31:0];
       end
     end
     if (start) begin
       \$67  = 32'd0;
     end
-    if (\port$1210$0 [3]) begin
+    if (\port$1218$0 [3]) begin
       \$67  = 32'd0;
     end
     if (rst) begin
       \$67  = 32'd0;
     end
   end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$68  = input_stalls;
+    if (\$signal$630 ) begin
+      if (issue) begin
+      end else if (\$44 ) begin
+      end else if (starved) begin
+        \$68  = \$49 [31:0];
+      end
+    end
+    if (start) begin
+      \$68  = 32'd0;
+    end
+    if (\port$1218$0 [3]) begin
+      \$68  = 32'd0;
+    end
+    if (rst) begin
+      \$68  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$69  = output_stalls;
+    if (\$signal$630 ) begin
+      if (issue) begin
+      end else if (\$44 ) begin
+      end else if (starved) begin
+      end else if (\$46 ) begin
+        \$69  = \$50 [31:0];
+      end
+    end
+    if (start) begin
+      \$69  = 32'd0;
+    end
+    if (\port$1218$0 [3]) begin
+      \$69  = 32'd0;
+    end
+    if (rst) begin
+      \$69  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$70  = drain_cycles;
+    if (\$signal$630 ) begin
+      (* full_case = 32'd1 *)
+      if (issue) begin
+      end else if (\$44 ) begin
+      end else if (starved) begin
+      end else if (\$46 ) begin
+      end else begin
+        \$70  = \$51 [31:0];
+      end
+    end
+    if (start) begin
+      \$70  = 32'd0;
+    end
+    if (\port$1218$0 [3]) begin
+      \$70  = 32'd0;
+    end
+    if (rst) begin
+      \$70  = 32'd0;
+    end
+  end
   assign o__payload = i__payload;
   assign i__ready = o__ready;
   assign o__valid = i__valid;
-  assign \height$13  = height;
-  assign \width$15  = width;
-  assign \c_in$17  = c_in;
-  assign \c_out$19  = c_out;
-  assign \mode$21  = mode;
-  assign \weight_base$23  = weight_base;
-  assign \requant_base$25  = requant_base;
-  assign \words$27  = words;
+  assign params__payload = \i__payload$6 ;
+  assign \i__ready$9  = params__ready;
+  assign params__valid = \i__valid$10 ;
+  assign \o__payload$13  = \o__payload$12 ;
+  assign \o__ready$15  = \o__ready$14 ;
+  assign \o__valid$17  = \o__valid$16 ;
+  assign \height$22  = height;
+  assign \width$24  = width;
+  assign \c_in$26  = c_in;
+  assign \c_out$28  = c_out;
+  assign \mode$30  = mode;
+  assign \weight_base$32  = weight_base;
+  assign \requant_base$34  = requant_base;
+  assign \words$36  = words;
   assign param_base = base;
-  assign \busy$34  = loading;
-  assign command = \port$1210$0 [2:0];
-  assign \shape$52  = shape;
-  assign \i__payload$54  = \i__payload$53 ;
-  assign \i__ready$56  = \i__ready$55 ;
-  assign \i__valid$58  = \i__valid$57 ;
-  assign \i__payload$59  = \i__payload$53 [63:0];
-  assign \o__payload$60  = \i__payload$53 [63:0];
-  assign \i__ready$62  = \o__ready$61 ;
-  assign \o__valid$64  = \i__valid$63 ;
-  assign \o__payload$66  = \i__payload$65 ;
-  assign \i__ready$68  = \o__ready$67 ;
-  assign \o__valid$70  = \i__valid$69 ;
-  assign \o__payload$71  = \o__payload$9 ;
-  assign \o__ready$72  = \o__ready$8 ;
-  assign \o__valid$73  = \o__valid$7 ;
-  assign params__payload = \i__payload$74 ;
-  assign params__ready = loading;
-  assign \i__ready$77  = loading;
-  assign params__valid = \i__valid$78 ;
+  assign loading = params__ready;
+  assign \busy$43  = params__ready;
+  assign command = \port$1218$0 [2:0];
+  assign \shape$61  = shape;
+  assign \i__payload$63  = \i__payload$62 ;
+  assign \i__ready$65  = \i__ready$64 ;
+  assign \i__valid$67  = \i__valid$66 ;
+  assign \i__payload$68  = \i__payload$62 [63:0];
+  assign \o__payload$69  = \i__payload$62 [63:0];
+  assign \i__ready$71  = \o__ready$70 ;
+  assign \o__valid$73  = \i__valid$72 ;
+  assign \o__payload$75  = \i__payload$74 ;
+  assign \i__ready$77  = \o__ready$76 ;
+  assign \o__valid$79  = \i__valid$78 ;
   assign \shape$80  = shape;
   assign \shape$81  = shape;
   assign \shape$82  = shape;
@@ -3825,463 +3830,469 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \image_written$104  = image_written;
   assign \credit$106  = credit;
   assign requant_en = write_en;
-  assign write = { \$70 , \$69  };
-  assign requant = { \$70 , \$69  };
+  assign write = { \$73 , \$72  };
+  assign requant = { \$73 , \$72  };
   assign info3 = info;
   assign address = step[24:15];
   assign \write_en$116  = unit_en[0];
-  assign \write$118  = { \$70 [647:576], \$68  };
-  assign weight = { \$70 [647:576], \$68  };
+  assign \write$118  = { \$73 [647:576], \$71  };
+  assign weight = { \$73 [647:576], \$71  };
   assign word = activations;
   assign control2 = control;
   assign \shift$125  = shift;
   assign \chain_o$129  = chain_i;
   assign \address$130  = step[24:15];
   assign \write_en$131  = unit_en[1];
-  assign \write$132  = { \$70 [647:576], \$68  };
+  assign \write$132  = { \$73 [647:576], \$71  };
   assign \activations$133  = activations;
   assign \control$134  = control;
   assign \shift$135  = shift;
   assign \chain_o$138  = \chain_i$137 ;
   assign \address$139  = step[24:15];
   assign \write_en$140  = unit_en[2];
-  assign \write$141  = { \$70 [647:576], \$68  };
+  assign \write$141  = { \$73 [647:576], \$71  };
   assign \activations$142  = activations;
   assign \control$143  = control;
   assign \shift$144  = shift;
   assign \chain_o$147  = \chain_i$146 ;
   assign \address$148  = step[24:15];
   assign \write_en$149  = unit_en[3];
-  assign \write$150  = { \$70 [647:576], \$68  };
+  assign \write$150  = { \$73 [647:576], \$71  };
   assign \activations$151  = activations;
   assign \control$152  = control;
   assign \shift$153  = shift;
   assign \chain_o$156  = \chain_i$155 ;
   assign \address$157  = step[24:15];
   assign \write_en$158  = unit_en[4];
-  assign \write$159  = { \$70 [647:576], \$68  };
+  assign \write$159  = { \$73 [647:576], \$71  };
   assign \activations$160  = activations;
   assign \control$161  = control;
   assign \shift$162  = shift;
   assign \chain_o$164  = \chain_i$163 ;
   assign \address$165  = step[24:15];
   assign \write_en$166  = unit_en[5];
-  assign \write$167  = { \$70 [647:576], \$68  };
+  assign \write$167  = { \$73 [647:576], \$71  };
   assign \activations$168  = activations;
   assign \control$169  = control;
   assign \shift$170  = shift;
   assign \chain_o$172  = \chain_i$171 ;
   assign \address$173  = step[24:15];
   assign \write_en$174  = unit_en[6];
-  assign \write$175  = { \$70 [647:576], \$68  };
+  assign \write$175  = { \$73 [647:576], \$71  };
   assign \activations$176  = activations;
   assign \control$177  = control;
   assign \shift$178  = shift;
   assign \chain_o$180  = \chain_i$179 ;
   assign \address$181  = step[24:15];
   assign \write_en$182  = unit_en[7];
-  assign \write$183  = { \$70 [647:576], \$68  };
+  assign \write$183  = { \$73 [647:576], \$71  };
   assign \activations$184  = activations;
   assign \control$185  = control;
   assign \shift$186  = shift;
   assign \chain_o$188  = \chain_i$187 ;
   assign \address$189  = step[24:15];
   assign \write_en$190  = unit_en[8];
-  assign \write$191  = { \$70 [647:576], \$68  };
+  assign \write$191  = { \$73 [647:576], \$71  };
   assign \activations$192  = activations;
   assign \control$193  = control;
   assign \shift$194  = shift;
   assign \chain_o$196  = \chain_i$195 ;
   assign \address$197  = step[24:15];
   assign \write_en$198  = unit_en[9];
-  assign \write$199  = { \$70 [647:576], \$68  };
+  assign \write$199  = { \$73 [647:576], \$71  };
   assign \activations$200  = activations;
   assign \control$201  = control;
   assign \shift$202  = shift;
   assign \chain_o$204  = \chain_i$203 ;
   assign \address$205  = step[24:15];
   assign \write_en$206  = unit_en[10];
-  assign \write$207  = { \$70 [647:576], \$68  };
+  assign \write$207  = { \$73 [647:576], \$71  };
   assign \activations$208  = activations;
   assign \control$209  = control;
   assign \shift$210  = shift;
   assign \chain_o$212  = \chain_i$211 ;
   assign \address$213  = step[24:15];
   assign \write_en$214  = unit_en[11];
-  assign \write$215  = { \$70 [647:576], \$68  };
+  assign \write$215  = { \$73 [647:576], \$71  };
   assign \activations$216  = activations;
   assign \control$217  = control;
   assign \shift$218  = shift;
   assign \chain_o$220  = \chain_i$219 ;
   assign \address$221  = step[24:15];
   assign \write_en$222  = unit_en[12];
-  assign \write$223  = { \$70 [647:576], \$68  };
+  assign \write$223  = { \$73 [647:576], \$71  };
   assign \activations$224  = activations;
   assign \control$225  = control;
   assign \shift$226  = shift;
   assign \chain_o$228  = \chain_i$227 ;
   assign \address$229  = step[24:15];
   assign \write_en$230  = unit_en[13];
-  assign \write$231  = { \$70 [647:576], \$68  };
+  assign \write$231  = { \$73 [647:576], \$71  };
   assign \activations$232  = activations;
   assign \control$233  = control;
   assign \shift$234  = shift;
   assign \chain_o$236  = \chain_i$235 ;
   assign \address$237  = step[24:15];
   assign \write_en$238  = unit_en[14];
-  assign \write$239  = { \$70 [647:576], \$68  };
+  assign \write$239  = { \$73 [647:576], \$71  };
   assign \activations$240  = activations;
   assign \control$241  = control;
   assign \shift$242  = shift;
   assign \chain_o$244  = \chain_i$243 ;
   assign \address$245  = step[24:15];
   assign \write_en$246  = unit_en[15];
-  assign \write$247  = { \$70 [647:576], \$68  };
+  assign \write$247  = { \$73 [647:576], \$71  };
   assign \activations$248  = activations;
   assign \control$249  = control;
   assign \shift$250  = shift;
   assign \chain_o$252  = \chain_i$251 ;
   assign \address$253  = step[24:15];
   assign \write_en$254  = unit_en[16];
-  assign \write$255  = { \$70 [647:576], \$68  };
+  assign \write$255  = { \$73 [647:576], \$71  };
   assign \activations$256  = activations;
   assign \control$257  = control;
   assign \shift$258  = shift;
   assign \chain_o$260  = \chain_i$259 ;
   assign \address$261  = step[24:15];
   assign \write_en$262  = unit_en[17];
-  assign \write$263  = { \$70 [647:576], \$68  };
+  assign \write$263  = { \$73 [647:576], \$71  };
   assign \activations$264  = activations;
   assign \control$265  = control;
   assign \shift$266  = shift;
   assign \chain_o$268  = \chain_i$267 ;
   assign \address$269  = step[24:15];
   assign \write_en$270  = unit_en[18];
-  assign \write$271  = { \$70 [647:576], \$68  };
+  assign \write$271  = { \$73 [647:576], \$71  };
   assign \activations$272  = activations;
   assign \control$273  = control;
   assign \shift$274  = shift;
   assign \chain_o$276  = \chain_i$275 ;
   assign \address$277  = step[24:15];
   assign \write_en$278  = unit_en[19];
-  assign \write$279  = { \$70 [647:576], \$68  };
+  assign \write$279  = { \$73 [647:576], \$71  };
   assign \activations$280  = activations;
   assign \control$281  = control;
   assign \shift$282  = shift;
   assign \chain_o$284  = \chain_i$283 ;
   assign \address$285  = step[24:15];
   assign \write_en$286  = unit_en[20];
-  assign \write$287  = { \$70 [647:576], \$68  };
+  assign \write$287  = { \$73 [647:576], \$71  };
   assign \activations$288  = activations;
   assign \control$289  = control;
   assign \shift$290  = shift;
   assign \chain_o$292  = \chain_i$291 ;
   assign \address$293  = step[24:15];
   assign \write_en$294  = unit_en[21];
-  assign \write$295  = { \$70 [647:576], \$68  };
+  assign \write$295  = { \$73 [647:576], \$71  };
   assign \activations$296  = activations;
   assign \control$297  = control;
   assign \shift$298  = shift;
   assign \chain_o$300  = \chain_i$299 ;
   assign \address$301  = step[24:15];
   assign \write_en$302  = unit_en[22];
-  assign \write$303  = { \$70 [647:576], \$68  };
+  assign \write$303  = { \$73 [647:576], \$71  };
   assign \activations$304  = activations;
   assign \control$305  = control;
   assign \shift$306  = shift;
   assign \chain_o$308  = \chain_i$307 ;
   assign \address$309  = step[24:15];
   assign \write_en$310  = unit_en[23];
-  assign \write$311  = { \$70 [647:576], \$68  };
+  assign \write$311  = { \$73 [647:576], \$71  };
   assign \activations$312  = activations;
   assign \control$313  = control;
   assign \shift$314  = shift;
   assign \chain_o$316  = \chain_i$315 ;
   assign \address$317  = step[24:15];
   assign \write_en$318  = unit_en[24];
-  assign \write$319  = { \$70 [647:576], \$68  };
+  assign \write$319  = { \$73 [647:576], \$71  };
   assign \activations$320  = activations;
   assign \control$321  = control;
   assign \shift$322  = shift;
   assign \chain_o$324  = \chain_i$323 ;
   assign \address$325  = step[24:15];
   assign \write_en$326  = unit_en[25];
-  assign \write$327  = { \$70 [647:576], \$68  };
+  assign \write$327  = { \$73 [647:576], \$71  };
   assign \activations$328  = activations;
   assign \control$329  = control;
   assign \shift$330  = shift;
   assign \chain_o$332  = \chain_i$331 ;
   assign \address$333  = step[24:15];
   assign \write_en$334  = unit_en[26];
-  assign \write$335  = { \$70 [647:576], \$68  };
+  assign \write$335  = { \$73 [647:576], \$71  };
   assign \activations$336  = activations;
   assign \control$337  = control;
   assign \shift$338  = shift;
   assign \chain_o$340  = \chain_i$339 ;
   assign \address$341  = step[24:15];
   assign \write_en$342  = unit_en[27];
-  assign \write$343  = { \$70 [647:576], \$68  };
+  assign \write$343  = { \$73 [647:576], \$71  };
   assign \activations$344  = activations;
   assign \control$345  = control;
   assign \shift$346  = shift;
   assign \chain_o$348  = \chain_i$347 ;
   assign \address$349  = step[24:15];
   assign \write_en$350  = unit_en[28];
-  assign \write$351  = { \$70 [647:576], \$68  };
+  assign \write$351  = { \$73 [647:576], \$71  };
   assign \activations$352  = activations;
   assign \control$353  = control;
   assign \shift$354  = shift;
   assign \chain_o$356  = \chain_i$355 ;
   assign \address$357  = step[24:15];
   assign \write_en$358  = unit_en[29];
-  assign \write$359  = { \$70 [647:576], \$68  };
+  assign \write$359  = { \$73 [647:576], \$71  };
   assign \activations$360  = activations;
   assign \control$361  = control;
   assign \shift$362  = shift;
   assign \chain_o$364  = \chain_i$363 ;
   assign \address$365  = step[24:15];
   assign \write_en$366  = unit_en[30];
-  assign \write$367  = { \$70 [647:576], \$68  };
+  assign \write$367  = { \$73 [647:576], \$71  };
   assign \activations$368  = activations;
   assign \control$369  = control;
   assign \shift$370  = shift;
   assign \chain_o$372  = \chain_i$371 ;
   assign \address$373  = step[24:15];
   assign \write_en$374  = unit_en[31];
-  assign \write$375  = { \$70 [647:576], \$68  };
+  assign \write$375  = { \$73 [647:576], \$71  };
   assign \activations$376  = activations;
   assign \control$377  = control;
   assign \shift$378  = shift;
   assign \chain_o$380  = \chain_i$379 ;
   assign \address$381  = step[24:15];
   assign \write_en$382  = unit_en[32];
-  assign \write$383  = { \$70 [647:576], \$68  };
+  assign \write$383  = { \$73 [647:576], \$71  };
   assign \activations$384  = activations;
   assign \control$385  = control;
   assign \shift$386  = shift;
   assign \chain_o$388  = \chain_i$387 ;
   assign \address$389  = step[24:15];
   assign \write_en$390  = unit_en[33];
-  assign \write$391  = { \$70 [647:576], \$68  };
+  assign \write$391  = { \$73 [647:576], \$71  };
   assign \activations$392  = activations;
   assign \control$393  = control;
   assign \shift$394  = shift;
   assign \chain_o$396  = \chain_i$395 ;
   assign \address$397  = step[24:15];
   assign \write_en$398  = unit_en[34];
-  assign \write$399  = { \$70 [647:576], \$68  };
+  assign \write$399  = { \$73 [647:576], \$71  };
   assign \activations$400  = activations;
   assign \control$401  = control;
   assign \shift$402  = shift;
   assign \chain_o$404  = \chain_i$403 ;
   assign \address$405  = step[24:15];
   assign \write_en$406  = unit_en[35];
-  assign \write$407  = { \$70 [647:576], \$68  };
+  assign \write$407  = { \$73 [647:576], \$71  };
   assign \activations$408  = activations;
   assign \control$409  = control;
   assign \shift$410  = shift;
   assign \chain_o$412  = \chain_i$411 ;
   assign \address$413  = step[24:15];
   assign \write_en$414  = unit_en[36];
-  assign \write$415  = { \$70 [647:576], \$68  };
+  assign \write$415  = { \$73 [647:576], \$71  };
   assign \activations$416  = activations;
   assign \control$417  = control;
   assign \shift$418  = shift;
   assign \chain_o$420  = \chain_i$419 ;
   assign \address$421  = step[24:15];
   assign \write_en$422  = unit_en[37];
-  assign \write$423  = { \$70 [647:576], \$68  };
+  assign \write$423  = { \$73 [647:576], \$71  };
   assign \activations$424  = activations;
   assign \control$425  = control;
   assign \shift$426  = shift;
   assign \chain_o$428  = \chain_i$427 ;
   assign \address$429  = step[24:15];
   assign \write_en$430  = unit_en[38];
-  assign \write$431  = { \$70 [647:576], \$68  };
+  assign \write$431  = { \$73 [647:576], \$71  };
   assign \activations$432  = activations;
   assign \control$433  = control;
   assign \shift$434  = shift;
   assign \chain_o$436  = \chain_i$435 ;
   assign \address$437  = step[24:15];
   assign \write_en$438  = unit_en[39];
-  assign \write$439  = { \$70 [647:576], \$68  };
+  assign \write$439  = { \$73 [647:576], \$71  };
   assign \activations$440  = activations;
   assign \control$441  = control;
   assign \shift$442  = shift;
   assign \chain_o$444  = \chain_i$443 ;
   assign \address$445  = step[24:15];
   assign \write_en$446  = unit_en[40];
-  assign \write$447  = { \$70 [647:576], \$68  };
+  assign \write$447  = { \$73 [647:576], \$71  };
   assign \activations$448  = activations;
   assign \control$449  = control;
   assign \shift$450  = shift;
   assign \chain_o$452  = \chain_i$451 ;
   assign \address$453  = step[24:15];
   assign \write_en$454  = unit_en[41];
-  assign \write$455  = { \$70 [647:576], \$68  };
+  assign \write$455  = { \$73 [647:576], \$71  };
   assign \activations$456  = activations;
   assign \control$457  = control;
   assign \shift$458  = shift;
   assign \chain_o$460  = \chain_i$459 ;
   assign \address$461  = step[24:15];
   assign \write_en$462  = unit_en[42];
-  assign \write$463  = { \$70 [647:576], \$68  };
+  assign \write$463  = { \$73 [647:576], \$71  };
   assign \activations$464  = activations;
   assign \control$465  = control;
   assign \shift$466  = shift;
   assign \chain_o$468  = \chain_i$467 ;
   assign \address$469  = step[24:15];
   assign \write_en$470  = unit_en[43];
-  assign \write$471  = { \$70 [647:576], \$68  };
+  assign \write$471  = { \$73 [647:576], \$71  };
   assign \activations$472  = activations;
   assign \control$473  = control;
   assign \shift$474  = shift;
   assign \chain_o$476  = \chain_i$475 ;
   assign \address$477  = step[24:15];
   assign \write_en$478  = unit_en[44];
-  assign \write$479  = { \$70 [647:576], \$68  };
+  assign \write$479  = { \$73 [647:576], \$71  };
   assign \activations$480  = activations;
   assign \control$481  = control;
   assign \shift$482  = shift;
   assign \chain_o$484  = \chain_i$483 ;
   assign \address$485  = step[24:15];
   assign \write_en$486  = unit_en[45];
-  assign \write$487  = { \$70 [647:576], \$68  };
+  assign \write$487  = { \$73 [647:576], \$71  };
   assign \activations$488  = activations;
   assign \control$489  = control;
   assign \shift$490  = shift;
   assign \chain_o$492  = \chain_i$491 ;
   assign \address$493  = step[24:15];
   assign \write_en$494  = unit_en[46];
-  assign \write$495  = { \$70 [647:576], \$68  };
+  assign \write$495  = { \$73 [647:576], \$71  };
   assign \activations$496  = activations;
   assign \control$497  = control;
   assign \shift$498  = shift;
   assign \chain_o$500  = \chain_i$499 ;
   assign \address$501  = step[24:15];
   assign \write_en$502  = unit_en[47];
-  assign \write$503  = { \$70 [647:576], \$68  };
+  assign \write$503  = { \$73 [647:576], \$71  };
   assign \activations$504  = activations;
   assign \control$505  = control;
   assign \shift$506  = shift;
   assign \chain_o$508  = \chain_i$507 ;
   assign \address$509  = step[24:15];
   assign \write_en$510  = unit_en[48];
-  assign \write$511  = { \$70 [647:576], \$68  };
+  assign \write$511  = { \$73 [647:576], \$71  };
   assign \activations$512  = activations;
   assign \control$513  = control;
   assign \shift$514  = shift;
   assign \chain_o$516  = \chain_i$515 ;
   assign \address$517  = step[24:15];
   assign \write_en$518  = unit_en[49];
-  assign \write$519  = { \$70 [647:576], \$68  };
+  assign \write$519  = { \$73 [647:576], \$71  };
   assign \activations$520  = activations;
   assign \control$521  = control;
   assign \shift$522  = shift;
   assign \chain_o$524  = \chain_i$523 ;
   assign \address$525  = step[24:15];
   assign \write_en$526  = unit_en[50];
-  assign \write$527  = { \$70 [647:576], \$68  };
+  assign \write$527  = { \$73 [647:576], \$71  };
   assign \activations$528  = activations;
   assign \control$529  = control;
   assign \shift$530  = shift;
   assign \chain_o$532  = \chain_i$531 ;
   assign \address$533  = step[24:15];
   assign \write_en$534  = unit_en[51];
-  assign \write$535  = { \$70 [647:576], \$68  };
+  assign \write$535  = { \$73 [647:576], \$71  };
   assign \activations$536  = activations;
   assign \control$537  = control;
   assign \shift$538  = shift;
   assign \chain_o$540  = \chain_i$539 ;
   assign \address$541  = step[24:15];
   assign \write_en$542  = unit_en[52];
-  assign \write$543  = { \$70 [647:576], \$68  };
+  assign \write$543  = { \$73 [647:576], \$71  };
   assign \activations$544  = activations;
   assign \control$545  = control;
   assign \shift$546  = shift;
   assign \chain_o$548  = \chain_i$547 ;
   assign \address$549  = step[24:15];
   assign \write_en$550  = unit_en[53];
-  assign \write$551  = { \$70 [647:576], \$68  };
+  assign \write$551  = { \$73 [647:576], \$71  };
   assign \activations$552  = activations;
   assign \control$553  = control;
   assign \shift$554  = shift;
   assign \chain_o$556  = \chain_i$555 ;
   assign \address$557  = step[24:15];
   assign \write_en$558  = unit_en[54];
-  assign \write$559  = { \$70 [647:576], \$68  };
+  assign \write$559  = { \$73 [647:576], \$71  };
   assign \activations$560  = activations;
   assign \control$561  = control;
   assign \shift$562  = shift;
   assign \chain_o$564  = \chain_i$563 ;
   assign \address$565  = step[24:15];
   assign \write_en$566  = unit_en[55];
-  assign \write$567  = { \$70 [647:576], \$68  };
+  assign \write$567  = { \$73 [647:576], \$71  };
   assign \activations$568  = activations;
   assign \control$569  = control;
   assign \shift$570  = shift;
   assign \chain_o$572  = \chain_i$571 ;
   assign \address$573  = step[24:15];
   assign \write_en$574  = unit_en[56];
-  assign \write$575  = { \$70 [647:576], \$68  };
+  assign \write$575  = { \$73 [647:576], \$71  };
   assign \activations$576  = activations;
   assign \control$577  = control;
   assign \shift$578  = shift;
   assign \chain_o$580  = \chain_i$579 ;
   assign \address$581  = step[24:15];
   assign \write_en$582  = unit_en[57];
-  assign \write$583  = { \$70 [647:576], \$68  };
+  assign \write$583  = { \$73 [647:576], \$71  };
   assign \activations$584  = activations;
   assign \control$585  = control;
   assign \shift$586  = shift;
   assign \chain_o$588  = \chain_i$587 ;
   assign \address$589  = step[24:15];
   assign \write_en$590  = unit_en[58];
-  assign \write$591  = { \$70 [647:576], \$68  };
+  assign \write$591  = { \$73 [647:576], \$71  };
   assign \activations$592  = activations;
   assign \control$593  = control;
   assign \shift$594  = shift;
   assign \chain_o$596  = \chain_i$595 ;
   assign \address$597  = step[24:15];
   assign \write_en$598  = unit_en[59];
-  assign \write$599  = { \$70 [647:576], \$68  };
+  assign \write$599  = { \$73 [647:576], \$71  };
   assign \activations$600  = activations;
   assign \control$601  = control;
   assign \shift$602  = shift;
   assign \chain_o$604  = \chain_i$603 ;
   assign \address$605  = step[24:15];
   assign \write_en$606  = unit_en[60];
-  assign \write$607  = { \$70 [647:576], \$68  };
+  assign \write$607  = { \$73 [647:576], \$71  };
   assign \activations$608  = activations;
   assign \control$609  = control;
   assign \shift$610  = shift;
   assign \address$611  = step[24:15];
   assign \write_en$612  = unit_en[61];
-  assign \write$613  = { \$70 [647:576], \$68  };
+  assign \write$613  = { \$73 [647:576], \$71  };
   assign \activations$614  = activations;
   assign \control$615  = control;
   assign \shift$616  = shift;
   assign \address$617  = step[24:15];
   assign \write_en$618  = unit_en[62];
-  assign \write$619  = { \$70 [647:576], \$68  };
+  assign \write$619  = { \$73 [647:576], \$71  };
   assign \activations$620  = activations;
   assign \control$621  = control;
   assign \shift$622  = shift;
   assign \address$623  = step[24:15];
   assign \write_en$624  = unit_en[63];
-  assign \write$625  = { \$70 [647:576], \$68  };
+  assign \write$625  = { \$73 [647:576], \$71  };
   assign \activations$626  = activations;
   assign \control$627  = control;
   assign \shift$628  = shift;
-  assign soft_reset = \port$1210$0 [3];
+  assign soft_reset = \port$1218$0 [3];
   assign \i__payload.data  = i__payload[47:0];
   assign \i__payload.pixel_last  = i__payload[48];
   assign \i__payload.last  = i__payload[49];
   assign \o__payload.data  = i__payload[47:0];
   assign \o__payload.pixel_last  = i__payload[48];
   assign \o__payload.last  = i__payload[49];
-  assign \o__payload$9.data  = \o__payload$9 [63:0];
-  assign \o__payload$9.last  = \o__payload$9 [64];
+  assign \i__payload$6.data  = \i__payload$6 [63:0];
+  assign \i__payload$6.last  = \i__payload$6 [64];
+  assign \params__payload.data  = \i__payload$6 [63:0];
+  assign \params__payload.last  = \i__payload$6 [64];
+  assign \o__payload$12.data  = \o__payload$12 [63:0];
+  assign \o__payload$12.last  = \o__payload$12 [64];
+  assign \o__payload$13.data  = \o__payload$12 [63:0];
+  assign \o__payload$13.last  = \o__payload$12 [64];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
   assign \shape.out_height  = shape[47:32];
@@ -4300,34 +4311,28 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \shape.residual  = shape[167];
   assign \shape.out_width  = shape[183:168];
   assign \shape.beats_residual  = shape[199:184];
-  assign \shape$52.height  = shape[15:0];
-  assign \shape$52.width  = shape[31:16];
-  assign \shape$52.out_height  = shape[47:32];
-  assign \shape$52.groups  = shape[62:48];
-  assign \shape$52.tail  = shape[64:63];
-  assign \shape$52.blocks  = shape[78:65];
-  assign \shape$52.ingest_words  = shape[92:79];
-  assign \shape$52.column_words  = shape[107:93];
-  assign \shape$52.tiles  = shape[119:108];
-  assign \shape$52.output_words  = shape[131:120];
-  assign \shape$52.beats_in  = shape[147:132];
-  assign \shape$52.beats_out  = shape[163:148];
-  assign \shape$52.pointwise  = shape[164];
-  assign \shape$52.halved  = shape[165];
-  assign \shape$52.biased  = shape[166];
-  assign \shape$52.residual  = shape[167];
-  assign \shape$52.out_width  = shape[183:168];
-  assign \shape$52.beats_residual  = shape[199:184];
-  assign \i__payload$53.data  = \i__payload$53 [63:0];
-  assign \i__payload$53.last  = \i__payload$53 [64];
-  assign \i__payload$54.data  = \i__payload$53 [63:0];
-  assign \i__payload$54.last  = \i__payload$53 [64];
-  assign \o__payload$71.data  = \o__payload$9 [63:0];
-  assign \o__payload$71.last  = \o__payload$9 [64];
-  assign \i__payload$74.data  = \i__payload$74 [63:0];
-  assign \i__payload$74.last  = \i__payload$74 [64];
-  assign \params__payload.data  = \i__payload$74 [63:0];
-  assign \params__payload.last  = \i__payload$74 [64];
+  assign \shape$61.height  = shape[15:0];
+  assign \shape$61.width  = shape[31:16];
+  assign \shape$61.out_height  = shape[47:32];
+  assign \shape$61.groups  = shape[62:48];
+  assign \shape$61.tail  = shape[64:63];
+  assign \shape$61.blocks  = shape[78:65];
+  assign \shape$61.ingest_words  = shape[92:79];
+  assign \shape$61.column_words  = shape[107:93];
+  assign \shape$61.tiles  = shape[119:108];
+  assign \shape$61.output_words  = shape[131:120];
+  assign \shape$61.beats_in  = shape[147:132];
+  assign \shape$61.beats_out  = shape[163:148];
+  assign \shape$61.pointwise  = shape[164];
+  assign \shape$61.halved  = shape[165];
+  assign \shape$61.biased  = shape[166];
+  assign \shape$61.residual  = shape[167];
+  assign \shape$61.out_width  = shape[183:168];
+  assign \shape$61.beats_residual  = shape[199:184];
+  assign \i__payload$62.data  = \i__payload$62 [63:0];
+  assign \i__payload$62.last  = \i__payload$62 [64];
+  assign \i__payload$63.data  = \i__payload$62 [63:0];
+  assign \i__payload$63.last  = \i__payload$62 [64];
   assign \shape$80.height  = shape[15:0];
   assign \shape$80.width  = shape[31:16];
   assign \shape$80.out_height  = shape[47:32];
@@ -4404,10 +4409,10 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \step.info.slots  = step[41:38];
   assign \step.info.edge  = step[42];
   assign \step.info.image_last  = step[43];
-  assign \write.addr  = \$69 ;
-  assign \write.data  = \$70 ;
-  assign \requant.addr  = \$69 ;
-  assign \requant.data  = \$70 ;
+  assign \write.addr  = \$72 ;
+  assign \write.data  = \$73 ;
+  assign \requant.addr  = \$72 ;
+  assign \requant.data  = \$73 ;
   assign \control3.en  = control3[0];
   assign \control3.first  = control3[1];
   assign \control3.last  = control3[2];
@@ -4423,10 +4428,10 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \info3.slots  = info[8:5];
   assign \info3.edge  = info[9];
   assign \info3.image_last  = info[10];
-  assign \write$118.addr  = \$68 ;
-  assign \write$118.data  = \$70 [647:576];
-  assign \weight.addr  = \$68 ;
-  assign \weight.data  = \$70 [647:576];
+  assign \write$118.addr  = \$71 ;
+  assign \write$118.data  = \$73 [647:576];
+  assign \weight.addr  = \$71 ;
+  assign \weight.data  = \$73 [647:576];
   assign \control.en  = control[0];
   assign \control.first  = control[1];
   assign \control.last  = control[2];
@@ -4469,8 +4474,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$129[1]  = chain_i[37:19];
   assign \chain_o$129[2]  = chain_i[56:38];
   assign \chain_o$129[3]  = chain_i[75:57];
-  assign \write$132.addr  = \$68 ;
-  assign \write$132.data  = \$70 [647:576];
+  assign \write$132.addr  = \$71 ;
+  assign \write$132.data  = \$73 [647:576];
   assign \control$134.en  = control[0];
   assign \control$134.first  = control[1];
   assign \control$134.last  = control[2];
@@ -4488,8 +4493,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$138[1]  = \chain_i$137 [37:19];
   assign \chain_o$138[2]  = \chain_i$137 [56:38];
   assign \chain_o$138[3]  = \chain_i$137 [75:57];
-  assign \write$141.addr  = \$68 ;
-  assign \write$141.data  = \$70 [647:576];
+  assign \write$141.addr  = \$71 ;
+  assign \write$141.data  = \$73 [647:576];
   assign \control$143.en  = control[0];
   assign \control$143.first  = control[1];
   assign \control$143.last  = control[2];
@@ -4507,8 +4512,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$147[1]  = \chain_i$146 [37:19];
   assign \chain_o$147[2]  = \chain_i$146 [56:38];
   assign \chain_o$147[3]  = \chain_i$146 [75:57];
-  assign \write$150.addr  = \$68 ;
-  assign \write$150.data  = \$70 [647:576];
+  assign \write$150.addr  = \$71 ;
+  assign \write$150.data  = \$73 [647:576];
   assign \control$152.en  = control[0];
   assign \control$152.first  = control[1];
   assign \control$152.last  = control[2];
@@ -4526,8 +4531,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$156[1]  = \chain_i$155 [37:19];
   assign \chain_o$156[2]  = \chain_i$155 [56:38];
   assign \chain_o$156[3]  = \chain_i$155 [75:57];
-  assign \write$159.addr  = \$68 ;
-  assign \write$159.data  = \$70 [647:576];
+  assign \write$159.addr  = \$71 ;
+  assign \write$159.data  = \$73 [647:576];
   assign \control$161.en  = control[0];
   assign \control$161.first  = control[1];
   assign \control$161.last  = control[2];
@@ -4541,8 +4546,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$164[1]  = \chain_i$163 [37:19];
   assign \chain_o$164[2]  = \chain_i$163 [56:38];
   assign \chain_o$164[3]  = \chain_i$163 [75:57];
-  assign \write$167.addr  = \$68 ;
-  assign \write$167.data  = \$70 [647:576];
+  assign \write$167.addr  = \$71 ;
+  assign \write$167.data  = \$73 [647:576];
   assign \control$169.en  = control[0];
   assign \control$169.first  = control[1];
   assign \control$169.last  = control[2];
@@ -4556,8 +4561,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$172[1]  = \chain_i$171 [37:19];
   assign \chain_o$172[2]  = \chain_i$171 [56:38];
   assign \chain_o$172[3]  = \chain_i$171 [75:57];
-  assign \write$175.addr  = \$68 ;
-  assign \write$175.data  = \$70 [647:576];
+  assign \write$175.addr  = \$71 ;
+  assign \write$175.data  = \$73 [647:576];
   assign \control$177.en  = control[0];
   assign \control$177.first  = control[1];
   assign \control$177.last  = control[2];
@@ -4571,8 +4576,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$180[1]  = \chain_i$179 [37:19];
   assign \chain_o$180[2]  = \chain_i$179 [56:38];
   assign \chain_o$180[3]  = \chain_i$179 [75:57];
-  assign \write$183.addr  = \$68 ;
-  assign \write$183.data  = \$70 [647:576];
+  assign \write$183.addr  = \$71 ;
+  assign \write$183.data  = \$73 [647:576];
   assign \control$185.en  = control[0];
   assign \control$185.first  = control[1];
   assign \control$185.last  = control[2];
@@ -4586,8 +4591,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$188[1]  = \chain_i$187 [37:19];
   assign \chain_o$188[2]  = \chain_i$187 [56:38];
   assign \chain_o$188[3]  = \chain_i$187 [75:57];
-  assign \write$191.addr  = \$68 ;
-  assign \write$191.data  = \$70 [647:576];
+  assign \write$191.addr  = \$71 ;
+  assign \write$191.data  = \$73 [647:576];
   assign \control$193.en  = control[0];
   assign \control$193.first  = control[1];
   assign \control$193.last  = control[2];
@@ -4601,8 +4606,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$196[1]  = \chain_i$195 [37:19];
   assign \chain_o$196[2]  = \chain_i$195 [56:38];
   assign \chain_o$196[3]  = \chain_i$195 [75:57];
-  assign \write$199.addr  = \$68 ;
-  assign \write$199.data  = \$70 [647:576];
+  assign \write$199.addr  = \$71 ;
+  assign \write$199.data  = \$73 [647:576];
   assign \control$201.en  = control[0];
   assign \control$201.first  = control[1];
   assign \control$201.last  = control[2];
@@ -4616,8 +4621,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$204[1]  = \chain_i$203 [37:19];
   assign \chain_o$204[2]  = \chain_i$203 [56:38];
   assign \chain_o$204[3]  = \chain_i$203 [75:57];
-  assign \write$207.addr  = \$68 ;
-  assign \write$207.data  = \$70 [647:576];
+  assign \write$207.addr  = \$71 ;
+  assign \write$207.data  = \$73 [647:576];
   assign \control$209.en  = control[0];
   assign \control$209.first  = control[1];
   assign \control$209.last  = control[2];
@@ -4631,8 +4636,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$212[1]  = \chain_i$211 [37:19];
   assign \chain_o$212[2]  = \chain_i$211 [56:38];
   assign \chain_o$212[3]  = \chain_i$211 [75:57];
-  assign \write$215.addr  = \$68 ;
-  assign \write$215.data  = \$70 [647:576];
+  assign \write$215.addr  = \$71 ;
+  assign \write$215.data  = \$73 [647:576];
   assign \control$217.en  = control[0];
   assign \control$217.first  = control[1];
   assign \control$217.last  = control[2];
@@ -4646,8 +4651,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$220[1]  = \chain_i$219 [37:19];
   assign \chain_o$220[2]  = \chain_i$219 [56:38];
   assign \chain_o$220[3]  = \chain_i$219 [75:57];
-  assign \write$223.addr  = \$68 ;
-  assign \write$223.data  = \$70 [647:576];
+  assign \write$223.addr  = \$71 ;
+  assign \write$223.data  = \$73 [647:576];
   assign \control$225.en  = control[0];
   assign \control$225.first  = control[1];
   assign \control$225.last  = control[2];
@@ -4661,8 +4666,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$228[1]  = \chain_i$227 [37:19];
   assign \chain_o$228[2]  = \chain_i$227 [56:38];
   assign \chain_o$228[3]  = \chain_i$227 [75:57];
-  assign \write$231.addr  = \$68 ;
-  assign \write$231.data  = \$70 [647:576];
+  assign \write$231.addr  = \$71 ;
+  assign \write$231.data  = \$73 [647:576];
   assign \control$233.en  = control[0];
   assign \control$233.first  = control[1];
   assign \control$233.last  = control[2];
@@ -4676,8 +4681,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$236[1]  = \chain_i$235 [37:19];
   assign \chain_o$236[2]  = \chain_i$235 [56:38];
   assign \chain_o$236[3]  = \chain_i$235 [75:57];
-  assign \write$239.addr  = \$68 ;
-  assign \write$239.data  = \$70 [647:576];
+  assign \write$239.addr  = \$71 ;
+  assign \write$239.data  = \$73 [647:576];
   assign \control$241.en  = control[0];
   assign \control$241.first  = control[1];
   assign \control$241.last  = control[2];
@@ -4691,8 +4696,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$244[1]  = \chain_i$243 [37:19];
   assign \chain_o$244[2]  = \chain_i$243 [56:38];
   assign \chain_o$244[3]  = \chain_i$243 [75:57];
-  assign \write$247.addr  = \$68 ;
-  assign \write$247.data  = \$70 [647:576];
+  assign \write$247.addr  = \$71 ;
+  assign \write$247.data  = \$73 [647:576];
   assign \control$249.en  = control[0];
   assign \control$249.first  = control[1];
   assign \control$249.last  = control[2];
@@ -4706,8 +4711,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$252[1]  = \chain_i$251 [37:19];
   assign \chain_o$252[2]  = \chain_i$251 [56:38];
   assign \chain_o$252[3]  = \chain_i$251 [75:57];
-  assign \write$255.addr  = \$68 ;
-  assign \write$255.data  = \$70 [647:576];
+  assign \write$255.addr  = \$71 ;
+  assign \write$255.data  = \$73 [647:576];
   assign \control$257.en  = control[0];
   assign \control$257.first  = control[1];
   assign \control$257.last  = control[2];
@@ -4721,8 +4726,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$260[1]  = \chain_i$259 [37:19];
   assign \chain_o$260[2]  = \chain_i$259 [56:38];
   assign \chain_o$260[3]  = \chain_i$259 [75:57];
-  assign \write$263.addr  = \$68 ;
-  assign \write$263.data  = \$70 [647:576];
+  assign \write$263.addr  = \$71 ;
+  assign \write$263.data  = \$73 [647:576];
   assign \control$265.en  = control[0];
   assign \control$265.first  = control[1];
   assign \control$265.last  = control[2];
@@ -4736,8 +4741,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$268[1]  = \chain_i$267 [37:19];
   assign \chain_o$268[2]  = \chain_i$267 [56:38];
   assign \chain_o$268[3]  = \chain_i$267 [75:57];
-  assign \write$271.addr  = \$68 ;
-  assign \write$271.data  = \$70 [647:576];
+  assign \write$271.addr  = \$71 ;
+  assign \write$271.data  = \$73 [647:576];
   assign \control$273.en  = control[0];
   assign \control$273.first  = control[1];
   assign \control$273.last  = control[2];
@@ -4751,8 +4756,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$276[1]  = \chain_i$275 [37:19];
   assign \chain_o$276[2]  = \chain_i$275 [56:38];
   assign \chain_o$276[3]  = \chain_i$275 [75:57];
-  assign \write$279.addr  = \$68 ;
-  assign \write$279.data  = \$70 [647:576];
+  assign \write$279.addr  = \$71 ;
+  assign \write$279.data  = \$73 [647:576];
   assign \control$281.en  = control[0];
   assign \control$281.first  = control[1];
   assign \control$281.last  = control[2];
@@ -4766,8 +4771,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$284[1]  = \chain_i$283 [37:19];
   assign \chain_o$284[2]  = \chain_i$283 [56:38];
   assign \chain_o$284[3]  = \chain_i$283 [75:57];
-  assign \write$287.addr  = \$68 ;
-  assign \write$287.data  = \$70 [647:576];
+  assign \write$287.addr  = \$71 ;
+  assign \write$287.data  = \$73 [647:576];
   assign \control$289.en  = control[0];
   assign \control$289.first  = control[1];
   assign \control$289.last  = control[2];
@@ -4781,8 +4786,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$292[1]  = \chain_i$291 [37:19];
   assign \chain_o$292[2]  = \chain_i$291 [56:38];
   assign \chain_o$292[3]  = \chain_i$291 [75:57];
-  assign \write$295.addr  = \$68 ;
-  assign \write$295.data  = \$70 [647:576];
+  assign \write$295.addr  = \$71 ;
+  assign \write$295.data  = \$73 [647:576];
   assign \control$297.en  = control[0];
   assign \control$297.first  = control[1];
   assign \control$297.last  = control[2];
@@ -4796,8 +4801,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$300[1]  = \chain_i$299 [37:19];
   assign \chain_o$300[2]  = \chain_i$299 [56:38];
   assign \chain_o$300[3]  = \chain_i$299 [75:57];
-  assign \write$303.addr  = \$68 ;
-  assign \write$303.data  = \$70 [647:576];
+  assign \write$303.addr  = \$71 ;
+  assign \write$303.data  = \$73 [647:576];
   assign \control$305.en  = control[0];
   assign \control$305.first  = control[1];
   assign \control$305.last  = control[2];
@@ -4811,8 +4816,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$308[1]  = \chain_i$307 [37:19];
   assign \chain_o$308[2]  = \chain_i$307 [56:38];
   assign \chain_o$308[3]  = \chain_i$307 [75:57];
-  assign \write$311.addr  = \$68 ;
-  assign \write$311.data  = \$70 [647:576];
+  assign \write$311.addr  = \$71 ;
+  assign \write$311.data  = \$73 [647:576];
   assign \control$313.en  = control[0];
   assign \control$313.first  = control[1];
   assign \control$313.last  = control[2];
@@ -4826,8 +4831,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$316[1]  = \chain_i$315 [37:19];
   assign \chain_o$316[2]  = \chain_i$315 [56:38];
   assign \chain_o$316[3]  = \chain_i$315 [75:57];
-  assign \write$319.addr  = \$68 ;
-  assign \write$319.data  = \$70 [647:576];
+  assign \write$319.addr  = \$71 ;
+  assign \write$319.data  = \$73 [647:576];
   assign \control$321.en  = control[0];
   assign \control$321.first  = control[1];
   assign \control$321.last  = control[2];
@@ -4841,8 +4846,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$324[1]  = \chain_i$323 [37:19];
   assign \chain_o$324[2]  = \chain_i$323 [56:38];
   assign \chain_o$324[3]  = \chain_i$323 [75:57];
-  assign \write$327.addr  = \$68 ;
-  assign \write$327.data  = \$70 [647:576];
+  assign \write$327.addr  = \$71 ;
+  assign \write$327.data  = \$73 [647:576];
   assign \control$329.en  = control[0];
   assign \control$329.first  = control[1];
   assign \control$329.last  = control[2];
@@ -4856,8 +4861,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$332[1]  = \chain_i$331 [37:19];
   assign \chain_o$332[2]  = \chain_i$331 [56:38];
   assign \chain_o$332[3]  = \chain_i$331 [75:57];
-  assign \write$335.addr  = \$68 ;
-  assign \write$335.data  = \$70 [647:576];
+  assign \write$335.addr  = \$71 ;
+  assign \write$335.data  = \$73 [647:576];
   assign \control$337.en  = control[0];
   assign \control$337.first  = control[1];
   assign \control$337.last  = control[2];
@@ -4871,8 +4876,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$340[1]  = \chain_i$339 [37:19];
   assign \chain_o$340[2]  = \chain_i$339 [56:38];
   assign \chain_o$340[3]  = \chain_i$339 [75:57];
-  assign \write$343.addr  = \$68 ;
-  assign \write$343.data  = \$70 [647:576];
+  assign \write$343.addr  = \$71 ;
+  assign \write$343.data  = \$73 [647:576];
   assign \control$345.en  = control[0];
   assign \control$345.first  = control[1];
   assign \control$345.last  = control[2];
@@ -4886,8 +4891,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$348[1]  = \chain_i$347 [37:19];
   assign \chain_o$348[2]  = \chain_i$347 [56:38];
   assign \chain_o$348[3]  = \chain_i$347 [75:57];
-  assign \write$351.addr  = \$68 ;
-  assign \write$351.data  = \$70 [647:576];
+  assign \write$351.addr  = \$71 ;
+  assign \write$351.data  = \$73 [647:576];
   assign \control$353.en  = control[0];
   assign \control$353.first  = control[1];
   assign \control$353.last  = control[2];
@@ -4901,8 +4906,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$356[1]  = \chain_i$355 [37:19];
   assign \chain_o$356[2]  = \chain_i$355 [56:38];
   assign \chain_o$356[3]  = \chain_i$355 [75:57];
-  assign \write$359.addr  = \$68 ;
-  assign \write$359.data  = \$70 [647:576];
+  assign \write$359.addr  = \$71 ;
+  assign \write$359.data  = \$73 [647:576];
   assign \control$361.en  = control[0];
   assign \control$361.first  = control[1];
   assign \control$361.last  = control[2];
@@ -4916,8 +4921,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$364[1]  = \chain_i$363 [37:19];
   assign \chain_o$364[2]  = \chain_i$363 [56:38];
   assign \chain_o$364[3]  = \chain_i$363 [75:57];
-  assign \write$367.addr  = \$68 ;
-  assign \write$367.data  = \$70 [647:576];
+  assign \write$367.addr  = \$71 ;
+  assign \write$367.data  = \$73 [647:576];
   assign \control$369.en  = control[0];
   assign \control$369.first  = control[1];
   assign \control$369.last  = control[2];
@@ -4931,8 +4936,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$372[1]  = \chain_i$371 [37:19];
   assign \chain_o$372[2]  = \chain_i$371 [56:38];
   assign \chain_o$372[3]  = \chain_i$371 [75:57];
-  assign \write$375.addr  = \$68 ;
-  assign \write$375.data  = \$70 [647:576];
+  assign \write$375.addr  = \$71 ;
+  assign \write$375.data  = \$73 [647:576];
   assign \control$377.en  = control[0];
   assign \control$377.first  = control[1];
   assign \control$377.last  = control[2];
@@ -4946,8 +4951,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$380[1]  = \chain_i$379 [37:19];
   assign \chain_o$380[2]  = \chain_i$379 [56:38];
   assign \chain_o$380[3]  = \chain_i$379 [75:57];
-  assign \write$383.addr  = \$68 ;
-  assign \write$383.data  = \$70 [647:576];
+  assign \write$383.addr  = \$71 ;
+  assign \write$383.data  = \$73 [647:576];
   assign \control$385.en  = control[0];
   assign \control$385.first  = control[1];
   assign \control$385.last  = control[2];
@@ -4961,8 +4966,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$388[1]  = \chain_i$387 [37:19];
   assign \chain_o$388[2]  = \chain_i$387 [56:38];
   assign \chain_o$388[3]  = \chain_i$387 [75:57];
-  assign \write$391.addr  = \$68 ;
-  assign \write$391.data  = \$70 [647:576];
+  assign \write$391.addr  = \$71 ;
+  assign \write$391.data  = \$73 [647:576];
   assign \control$393.en  = control[0];
   assign \control$393.first  = control[1];
   assign \control$393.last  = control[2];
@@ -4976,8 +4981,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$396[1]  = \chain_i$395 [37:19];
   assign \chain_o$396[2]  = \chain_i$395 [56:38];
   assign \chain_o$396[3]  = \chain_i$395 [75:57];
-  assign \write$399.addr  = \$68 ;
-  assign \write$399.data  = \$70 [647:576];
+  assign \write$399.addr  = \$71 ;
+  assign \write$399.data  = \$73 [647:576];
   assign \control$401.en  = control[0];
   assign \control$401.first  = control[1];
   assign \control$401.last  = control[2];
@@ -4991,8 +4996,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$404[1]  = \chain_i$403 [37:19];
   assign \chain_o$404[2]  = \chain_i$403 [56:38];
   assign \chain_o$404[3]  = \chain_i$403 [75:57];
-  assign \write$407.addr  = \$68 ;
-  assign \write$407.data  = \$70 [647:576];
+  assign \write$407.addr  = \$71 ;
+  assign \write$407.data  = \$73 [647:576];
   assign \control$409.en  = control[0];
   assign \control$409.first  = control[1];
   assign \control$409.last  = control[2];
@@ -5006,8 +5011,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$412[1]  = \chain_i$411 [37:19];
   assign \chain_o$412[2]  = \chain_i$411 [56:38];
   assign \chain_o$412[3]  = \chain_i$411 [75:57];
-  assign \write$415.addr  = \$68 ;
-  assign \write$415.data  = \$70 [647:576];
+  assign \write$415.addr  = \$71 ;
+  assign \write$415.data  = \$73 [647:576];
   assign \control$417.en  = control[0];
   assign \control$417.first  = control[1];
   assign \control$417.last  = control[2];
@@ -5021,8 +5026,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$420[1]  = \chain_i$419 [37:19];
   assign \chain_o$420[2]  = \chain_i$419 [56:38];
   assign \chain_o$420[3]  = \chain_i$419 [75:57];
-  assign \write$423.addr  = \$68 ;
-  assign \write$423.data  = \$70 [647:576];
+  assign \write$423.addr  = \$71 ;
+  assign \write$423.data  = \$73 [647:576];
   assign \control$425.en  = control[0];
   assign \control$425.first  = control[1];
   assign \control$425.last  = control[2];
@@ -5036,8 +5041,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$428[1]  = \chain_i$427 [37:19];
   assign \chain_o$428[2]  = \chain_i$427 [56:38];
   assign \chain_o$428[3]  = \chain_i$427 [75:57];
-  assign \write$431.addr  = \$68 ;
-  assign \write$431.data  = \$70 [647:576];
+  assign \write$431.addr  = \$71 ;
+  assign \write$431.data  = \$73 [647:576];
   assign \control$433.en  = control[0];
   assign \control$433.first  = control[1];
   assign \control$433.last  = control[2];
@@ -5051,8 +5056,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$436[1]  = \chain_i$435 [37:19];
   assign \chain_o$436[2]  = \chain_i$435 [56:38];
   assign \chain_o$436[3]  = \chain_i$435 [75:57];
-  assign \write$439.addr  = \$68 ;
-  assign \write$439.data  = \$70 [647:576];
+  assign \write$439.addr  = \$71 ;
+  assign \write$439.data  = \$73 [647:576];
   assign \control$441.en  = control[0];
   assign \control$441.first  = control[1];
   assign \control$441.last  = control[2];
@@ -5066,8 +5071,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$444[1]  = \chain_i$443 [37:19];
   assign \chain_o$444[2]  = \chain_i$443 [56:38];
   assign \chain_o$444[3]  = \chain_i$443 [75:57];
-  assign \write$447.addr  = \$68 ;
-  assign \write$447.data  = \$70 [647:576];
+  assign \write$447.addr  = \$71 ;
+  assign \write$447.data  = \$73 [647:576];
   assign \control$449.en  = control[0];
   assign \control$449.first  = control[1];
   assign \control$449.last  = control[2];
@@ -5081,8 +5086,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$452[1]  = \chain_i$451 [37:19];
   assign \chain_o$452[2]  = \chain_i$451 [56:38];
   assign \chain_o$452[3]  = \chain_i$451 [75:57];
-  assign \write$455.addr  = \$68 ;
-  assign \write$455.data  = \$70 [647:576];
+  assign \write$455.addr  = \$71 ;
+  assign \write$455.data  = \$73 [647:576];
   assign \control$457.en  = control[0];
   assign \control$457.first  = control[1];
   assign \control$457.last  = control[2];
@@ -5096,8 +5101,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$460[1]  = \chain_i$459 [37:19];
   assign \chain_o$460[2]  = \chain_i$459 [56:38];
   assign \chain_o$460[3]  = \chain_i$459 [75:57];
-  assign \write$463.addr  = \$68 ;
-  assign \write$463.data  = \$70 [647:576];
+  assign \write$463.addr  = \$71 ;
+  assign \write$463.data  = \$73 [647:576];
   assign \control$465.en  = control[0];
   assign \control$465.first  = control[1];
   assign \control$465.last  = control[2];
@@ -5111,8 +5116,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$468[1]  = \chain_i$467 [37:19];
   assign \chain_o$468[2]  = \chain_i$467 [56:38];
   assign \chain_o$468[3]  = \chain_i$467 [75:57];
-  assign \write$471.addr  = \$68 ;
-  assign \write$471.data  = \$70 [647:576];
+  assign \write$471.addr  = \$71 ;
+  assign \write$471.data  = \$73 [647:576];
   assign \control$473.en  = control[0];
   assign \control$473.first  = control[1];
   assign \control$473.last  = control[2];
@@ -5126,8 +5131,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$476[1]  = \chain_i$475 [37:19];
   assign \chain_o$476[2]  = \chain_i$475 [56:38];
   assign \chain_o$476[3]  = \chain_i$475 [75:57];
-  assign \write$479.addr  = \$68 ;
-  assign \write$479.data  = \$70 [647:576];
+  assign \write$479.addr  = \$71 ;
+  assign \write$479.data  = \$73 [647:576];
   assign \control$481.en  = control[0];
   assign \control$481.first  = control[1];
   assign \control$481.last  = control[2];
@@ -5141,8 +5146,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$484[1]  = \chain_i$483 [37:19];
   assign \chain_o$484[2]  = \chain_i$483 [56:38];
   assign \chain_o$484[3]  = \chain_i$483 [75:57];
-  assign \write$487.addr  = \$68 ;
-  assign \write$487.data  = \$70 [647:576];
+  assign \write$487.addr  = \$71 ;
+  assign \write$487.data  = \$73 [647:576];
   assign \control$489.en  = control[0];
   assign \control$489.first  = control[1];
   assign \control$489.last  = control[2];
@@ -5156,8 +5161,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$492[1]  = \chain_i$491 [37:19];
   assign \chain_o$492[2]  = \chain_i$491 [56:38];
   assign \chain_o$492[3]  = \chain_i$491 [75:57];
-  assign \write$495.addr  = \$68 ;
-  assign \write$495.data  = \$70 [647:576];
+  assign \write$495.addr  = \$71 ;
+  assign \write$495.data  = \$73 [647:576];
   assign \control$497.en  = control[0];
   assign \control$497.first  = control[1];
   assign \control$497.last  = control[2];
@@ -5171,8 +5176,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$500[1]  = \chain_i$499 [37:19];
   assign \chain_o$500[2]  = \chain_i$499 [56:38];
   assign \chain_o$500[3]  = \chain_i$499 [75:57];
-  assign \write$503.addr  = \$68 ;
-  assign \write$503.data  = \$70 [647:576];
+  assign \write$503.addr  = \$71 ;
+  assign \write$503.data  = \$73 [647:576];
   assign \control$505.en  = control[0];
   assign \control$505.first  = control[1];
   assign \control$505.last  = control[2];
@@ -5186,8 +5191,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$508[1]  = \chain_i$507 [37:19];
   assign \chain_o$508[2]  = \chain_i$507 [56:38];
   assign \chain_o$508[3]  = \chain_i$507 [75:57];
-  assign \write$511.addr  = \$68 ;
-  assign \write$511.data  = \$70 [647:576];
+  assign \write$511.addr  = \$71 ;
+  assign \write$511.data  = \$73 [647:576];
   assign \control$513.en  = control[0];
   assign \control$513.first  = control[1];
   assign \control$513.last  = control[2];
@@ -5201,8 +5206,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$516[1]  = \chain_i$515 [37:19];
   assign \chain_o$516[2]  = \chain_i$515 [56:38];
   assign \chain_o$516[3]  = \chain_i$515 [75:57];
-  assign \write$519.addr  = \$68 ;
-  assign \write$519.data  = \$70 [647:576];
+  assign \write$519.addr  = \$71 ;
+  assign \write$519.data  = \$73 [647:576];
   assign \control$521.en  = control[0];
   assign \control$521.first  = control[1];
   assign \control$521.last  = control[2];
@@ -5216,8 +5221,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$524[1]  = \chain_i$523 [37:19];
   assign \chain_o$524[2]  = \chain_i$523 [56:38];
   assign \chain_o$524[3]  = \chain_i$523 [75:57];
-  assign \write$527.addr  = \$68 ;
-  assign \write$527.data  = \$70 [647:576];
+  assign \write$527.addr  = \$71 ;
+  assign \write$527.data  = \$73 [647:576];
   assign \control$529.en  = control[0];
   assign \control$529.first  = control[1];
   assign \control$529.last  = control[2];
@@ -5231,8 +5236,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$532[1]  = \chain_i$531 [37:19];
   assign \chain_o$532[2]  = \chain_i$531 [56:38];
   assign \chain_o$532[3]  = \chain_i$531 [75:57];
-  assign \write$535.addr  = \$68 ;
-  assign \write$535.data  = \$70 [647:576];
+  assign \write$535.addr  = \$71 ;
+  assign \write$535.data  = \$73 [647:576];
   assign \control$537.en  = control[0];
   assign \control$537.first  = control[1];
   assign \control$537.last  = control[2];
@@ -5246,8 +5251,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$540[1]  = \chain_i$539 [37:19];
   assign \chain_o$540[2]  = \chain_i$539 [56:38];
   assign \chain_o$540[3]  = \chain_i$539 [75:57];
-  assign \write$543.addr  = \$68 ;
-  assign \write$543.data  = \$70 [647:576];
+  assign \write$543.addr  = \$71 ;
+  assign \write$543.data  = \$73 [647:576];
   assign \control$545.en  = control[0];
   assign \control$545.first  = control[1];
   assign \control$545.last  = control[2];
@@ -5261,8 +5266,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$548[1]  = \chain_i$547 [37:19];
   assign \chain_o$548[2]  = \chain_i$547 [56:38];
   assign \chain_o$548[3]  = \chain_i$547 [75:57];
-  assign \write$551.addr  = \$68 ;
-  assign \write$551.data  = \$70 [647:576];
+  assign \write$551.addr  = \$71 ;
+  assign \write$551.data  = \$73 [647:576];
   assign \control$553.en  = control[0];
   assign \control$553.first  = control[1];
   assign \control$553.last  = control[2];
@@ -5276,8 +5281,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$556[1]  = \chain_i$555 [37:19];
   assign \chain_o$556[2]  = \chain_i$555 [56:38];
   assign \chain_o$556[3]  = \chain_i$555 [75:57];
-  assign \write$559.addr  = \$68 ;
-  assign \write$559.data  = \$70 [647:576];
+  assign \write$559.addr  = \$71 ;
+  assign \write$559.data  = \$73 [647:576];
   assign \control$561.en  = control[0];
   assign \control$561.first  = control[1];
   assign \control$561.last  = control[2];
@@ -5291,8 +5296,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$564[1]  = \chain_i$563 [37:19];
   assign \chain_o$564[2]  = \chain_i$563 [56:38];
   assign \chain_o$564[3]  = \chain_i$563 [75:57];
-  assign \write$567.addr  = \$68 ;
-  assign \write$567.data  = \$70 [647:576];
+  assign \write$567.addr  = \$71 ;
+  assign \write$567.data  = \$73 [647:576];
   assign \control$569.en  = control[0];
   assign \control$569.first  = control[1];
   assign \control$569.last  = control[2];
@@ -5306,8 +5311,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$572[1]  = \chain_i$571 [37:19];
   assign \chain_o$572[2]  = \chain_i$571 [56:38];
   assign \chain_o$572[3]  = \chain_i$571 [75:57];
-  assign \write$575.addr  = \$68 ;
-  assign \write$575.data  = \$70 [647:576];
+  assign \write$575.addr  = \$71 ;
+  assign \write$575.data  = \$73 [647:576];
   assign \control$577.en  = control[0];
   assign \control$577.first  = control[1];
   assign \control$577.last  = control[2];
@@ -5321,8 +5326,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$580[1]  = \chain_i$579 [37:19];
   assign \chain_o$580[2]  = \chain_i$579 [56:38];
   assign \chain_o$580[3]  = \chain_i$579 [75:57];
-  assign \write$583.addr  = \$68 ;
-  assign \write$583.data  = \$70 [647:576];
+  assign \write$583.addr  = \$71 ;
+  assign \write$583.data  = \$73 [647:576];
   assign \control$585.en  = control[0];
   assign \control$585.first  = control[1];
   assign \control$585.last  = control[2];
@@ -5336,8 +5341,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$588[1]  = \chain_i$587 [37:19];
   assign \chain_o$588[2]  = \chain_i$587 [56:38];
   assign \chain_o$588[3]  = \chain_i$587 [75:57];
-  assign \write$591.addr  = \$68 ;
-  assign \write$591.data  = \$70 [647:576];
+  assign \write$591.addr  = \$71 ;
+  assign \write$591.data  = \$73 [647:576];
   assign \control$593.en  = control[0];
   assign \control$593.first  = control[1];
   assign \control$593.last  = control[2];
@@ -5351,8 +5356,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$596[1]  = \chain_i$595 [37:19];
   assign \chain_o$596[2]  = \chain_i$595 [56:38];
   assign \chain_o$596[3]  = \chain_i$595 [75:57];
-  assign \write$599.addr  = \$68 ;
-  assign \write$599.data  = \$70 [647:576];
+  assign \write$599.addr  = \$71 ;
+  assign \write$599.data  = \$73 [647:576];
   assign \control$601.en  = control[0];
   assign \control$601.first  = control[1];
   assign \control$601.last  = control[2];
@@ -5366,29 +5371,29 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \chain_o$604[1]  = \chain_i$603 [37:19];
   assign \chain_o$604[2]  = \chain_i$603 [56:38];
   assign \chain_o$604[3]  = \chain_i$603 [75:57];
-  assign \write$607.addr  = \$68 ;
-  assign \write$607.data  = \$70 [647:576];
+  assign \write$607.addr  = \$71 ;
+  assign \write$607.data  = \$73 [647:576];
   assign \control$609.en  = control[0];
   assign \control$609.first  = control[1];
   assign \control$609.last  = control[2];
   assign \control$609.edge  = control[3];
   assign \control$609.tile  = control[7:4];
-  assign \write$613.addr  = \$68 ;
-  assign \write$613.data  = \$70 [647:576];
+  assign \write$613.addr  = \$71 ;
+  assign \write$613.data  = \$73 [647:576];
   assign \control$615.en  = control[0];
   assign \control$615.first  = control[1];
   assign \control$615.last  = control[2];
   assign \control$615.edge  = control[3];
   assign \control$615.tile  = control[7:4];
-  assign \write$619.addr  = \$68 ;
-  assign \write$619.data  = \$70 [647:576];
+  assign \write$619.addr  = \$71 ;
+  assign \write$619.data  = \$73 [647:576];
   assign \control$621.en  = control[0];
   assign \control$621.first  = control[1];
   assign \control$621.last  = control[2];
   assign \control$621.edge  = control[3];
   assign \control$621.tile  = control[7:4];
-  assign \write$625.addr  = \$68 ;
-  assign \write$625.data  = \$70 [647:576];
+  assign \write$625.addr  = \$71 ;
+  assign \write$625.data  = \$73 [647:576];
   assign \control$627.en  = control[0];
   assign \control$627.first  = control[1];
   assign \control$627.last  = control[2];
@@ -5425,6 +5430,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign heads[75:0] = chain_o;
   assign \$2  = last_beat0;
   assign \$4  = \$3 ;
+  assign \$16  = 1'h0;
+  assign \$17  = params__ready;
+  assign \$25  = overlaps;
 endmodule
 
 module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, mode, weight_base, requant_base, shape, error, weight_end, requant_end, clk);
@@ -5741,25 +5749,25 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   assign \$21  = { 6'h00, \$20 [34:6] };
 endmodule
 
-module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_reset, requant_base, start, \heads$60 , info, shape, o__payload, valid, reload__addr, reload__data, reload__en, clk);
+module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_reset, requant_base, start, \heads$61 , info, shape, o__payload, valid, reload__addr, reload__data, reload__en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$3  = 0;
   wire \$1 ;
-  wire [3:0] \$10 ;
-  reg [3:0] \$11 ;
-  wire [12:0] \$12 ;
+  reg [3:0] \$10 ;
+  wire [12:0] \$11 ;
+  wire \$12 ;
   wire \$13 ;
   wire \$14 ;
   wire \$15 ;
   wire \$16 ;
   wire \$17 ;
   wire \$18 ;
-  wire \$19 ;
+  wire [4:0] \$19 ;
   wire \$2 ;
   wire [4:0] \$20 ;
-  wire [4:0] \$21 ;
+  wire \$21 ;
   wire \$22 ;
-  wire [2:0] \$23 ;
-  wire \$24 ;
+  wire \$23 ;
+  wire [2:0] \$24 ;
   wire \$25 ;
   wire \$26 ;
   wire \$27 ;
@@ -5767,20 +5775,20 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire \$29 ;
   wire \$3 ;
   wire \$30 ;
-  wire [2:0] \$31 ;
-  wire [12:0] \$32 ;
-  wire [2:0] \$33 ;
-  reg \$34 ;
-  reg [10:0] \$35 ;
-  reg \$36 ;
-  reg [3:0] \$37 ;
+  wire \$31 ;
+  wire \$32 ;
+  wire \$33 ;
+  wire [2:0] \$34 ;
+  wire [12:0] \$35 ;
+  wire [2:0] \$36 ;
+  reg \$37 ;
   reg [10:0] \$38 ;
-  reg [3:0] \$39 ;
+  reg \$39 ;
   wire \$4 ;
-  reg [1:0] \$40 ;
-  reg \$41 ;
-  reg \$42 ;
-  reg \$43 ;
+  reg [3:0] \$40 ;
+  reg [10:0] \$41 ;
+  reg [3:0] \$42 ;
+  reg [1:0] \$43 ;
   reg \$44 ;
   reg \$45 ;
   reg \$46 ;
@@ -5789,53 +5797,57 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   reg \$49 ;
   wire \$5 ;
   reg \$50 ;
-  reg [1:0] \$51 ;
-  reg [2:0] \$52 ;
-  reg [11:0] \$53 ;
+  reg \$51 ;
+  reg \$52 ;
+  reg \$53 ;
   reg [1:0] \$54 ;
-  reg [1:0] \$55 ;
-  reg [3:0] \$56 ;
-  reg [3:0] \$57 ;
-  reg [3:0] \$58 ;
+  reg [2:0] \$55 ;
+  reg [11:0] \$56 ;
+  reg [1:0] \$57 ;
+  reg [1:0] \$58 ;
   reg [3:0] \$59 ;
   wire \$6 ;
   reg [3:0] \$60 ;
   reg [3:0] \$61 ;
+  reg [3:0] \$62 ;
+  reg [3:0] \$63 ;
+  reg [3:0] \$64 ;
   wire \$7 ;
-  wire \$8 ;
-  wire [8:0] \$9 ;
+  wire [8:0] \$8 ;
+  wire [3:0] \$9 ;
   wire \$signal ;
+  wire \$signal$12 ;
+  reg \$signal$13  = 1'h0;
   (* init = 8'h00 *)
-  wire [7:0] \$signal$26 ;
-  reg \$signal$3  = 1'h0;
-  reg \$signal$30  = 1'h0;
-  reg [1:0] \$signal$31  = 2'h0;
-  reg [1:0] \$signal$33  = 2'h0;
-  reg [1:0] \$signal$38  = 2'h0;
-  reg \$signal$4  = 1'h0;
-  reg [3:0] \$signal$5  = 4'h0;
-  reg [7:0] \$signal$62  = 8'h00;
-  reg [1:0] \$signal$63  = 2'h0;
-  reg \$signal$64  = 1'h0;
+  wire [7:0] \$signal$27 ;
+  reg [3:0] \$signal$3  = 4'h0;
+  reg \$signal$31  = 1'h0;
+  reg [1:0] \$signal$32  = 2'h0;
+  reg [1:0] \$signal$34  = 2'h0;
+  reg [1:0] \$signal$39  = 2'h0;
+  reg \$signal$6  = 1'h0;
+  reg [7:0] \$signal$63  = 8'h00;
+  reg [1:0] \$signal$64  = 2'h0;
   reg \$signal$65  = 1'h0;
-  reg [3:0] \$signal$66  = 4'h0;
-  reg \$signal$67  = 1'h0;
-  reg [7:0] \$signal$68  = 8'h00;
-  reg [1:0] \$signal$69  = 2'h0;
-  wire \$signal$7 ;
-  reg \$signal$70  = 1'h0;
+  reg \$signal$66  = 1'h0;
+  reg [3:0] \$signal$67  = 4'h0;
+  reg \$signal$68  = 1'h0;
+  reg [7:0] \$signal$69  = 8'h00;
+  reg [1:0] \$signal$70  = 2'h0;
   reg \$signal$71  = 1'h0;
-  reg [3:0] \$signal$72  = 4'h0;
-  reg \$signal$73  = 1'h0;
-  reg [7:0] \$signal$74  = 8'h00;
-  reg [1:0] \$signal$75  = 2'h0;
-  reg \$signal$76  = 1'h0;
+  reg \$signal$72  = 1'h0;
+  reg [3:0] \$signal$73  = 4'h0;
+  reg \$signal$74  = 1'h0;
+  reg [7:0] \$signal$75  = 8'h00;
+  reg [1:0] \$signal$76  = 2'h0;
   reg \$signal$77  = 1'h0;
-  reg [3:0] \$signal$78  = 4'h0;
-  reg \$signal$79  = 1'h0;
+  reg \$signal$78  = 1'h0;
+  reg [3:0] \$signal$79  = 4'h0;
   reg \$signal$80  = 1'h0;
-  reg [3:0] \$signal$81  = 4'h0;
-  reg \$signal$82  = 1'h0;
+  reg \$signal$81  = 1'h0;
+  reg [3:0] \$signal$82  = 4'h0;
+  reg \$signal$83  = 1'h0;
+  wire \$signal$9 ;
   wire [7:0] \$signature__addr ;
   wire [671:0] \$signature__data ;
   reg [303:0] accumulators = 304'h0000000000000000000000000000000000000000000000000000000000000000000000000000;
@@ -5876,34 +5888,34 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   reg [3:0] filled = 4'h0;
   input finished;
   wire finished;
+  wire free;
   wire [7:0] get__addr;
   wire [191:0] get__data;
   wire get__en;
-  wire group_start;
   (* init = 304'h0000000000000000000000000000000000000000000000000000000000000000000000000000 *)
   wire [303:0] heads;
-  input [303:0] \heads$60 ;
-  wire [303:0] \heads$60 ;
-  wire [75:0] \heads$60[0] ;
-  wire [18:0] \heads$60[0][0] ;
-  wire [18:0] \heads$60[0][1] ;
-  wire [18:0] \heads$60[0][2] ;
-  wire [18:0] \heads$60[0][3] ;
-  wire [75:0] \heads$60[1] ;
-  wire [18:0] \heads$60[1][0] ;
-  wire [18:0] \heads$60[1][1] ;
-  wire [18:0] \heads$60[1][2] ;
-  wire [18:0] \heads$60[1][3] ;
-  wire [75:0] \heads$60[2] ;
-  wire [18:0] \heads$60[2][0] ;
-  wire [18:0] \heads$60[2][1] ;
-  wire [18:0] \heads$60[2][2] ;
-  wire [18:0] \heads$60[2][3] ;
-  wire [75:0] \heads$60[3] ;
-  wire [18:0] \heads$60[3][0] ;
-  wire [18:0] \heads$60[3][1] ;
-  wire [18:0] \heads$60[3][2] ;
-  wire [18:0] \heads$60[3][3] ;
+  input [303:0] \heads$61 ;
+  wire [303:0] \heads$61 ;
+  wire [75:0] \heads$61[0] ;
+  wire [18:0] \heads$61[0][0] ;
+  wire [18:0] \heads$61[0][1] ;
+  wire [18:0] \heads$61[0][2] ;
+  wire [18:0] \heads$61[0][3] ;
+  wire [75:0] \heads$61[1] ;
+  wire [18:0] \heads$61[1][0] ;
+  wire [18:0] \heads$61[1][1] ;
+  wire [18:0] \heads$61[1][2] ;
+  wire [18:0] \heads$61[1][3] ;
+  wire [75:0] \heads$61[2] ;
+  wire [18:0] \heads$61[2][0] ;
+  wire [18:0] \heads$61[2][1] ;
+  wire [18:0] \heads$61[2][2] ;
+  wire [18:0] \heads$61[2][3] ;
+  wire [75:0] \heads$61[3] ;
+  wire [18:0] \heads$61[3][0] ;
+  wire [18:0] \heads$61[3][1] ;
+  wire [18:0] \heads$61[3][2] ;
+  wire [18:0] \heads$61[3][3] ;
   wire [75:0] \heads[0] ;
   wire [18:0] \heads[0][0] ;
   wire [18:0] \heads[0][1] ;
@@ -6016,54 +6028,56 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire [7:0] \write.addr ;
   wire [671:0] \write.data ;
   wire write_en;
-  assign \$26  = image_last >> \$signal$33 ;
-  assign \$27  = ~ pixel_after;
-  assign \$28  = \$26  & \$27 ;
-  assign \$29  = ~ todo[0];
-  assign \$30  = \$29  | word_last;
-  assign \$31  = \$signal$38  + 1'h1;
-  assign \$32  = word + 1'h1;
-  assign \$33  = \$signal$33  + 1'h1;
+  assign \$23  = last_cycle & info_now[4];
+  assign \$24  = section + 1'h1;
+  assign \$25  = last_cycle & info_now[4];
+  assign \$28  = fetch & todo[0];
+  assign \$29  = image_last >> \$signal$34 ;
+  assign \$30  = ~ pixel_after;
+  assign \$31  = \$29  & \$30 ;
+  assign \$32  = ~ todo[0];
+  assign \$33  = \$32  | word_last;
+  assign \$34  = \$signal$39  + 1'h1;
+  assign \$35  = word + 1'h1;
+  assign \$36  = \$signal$34  + 1'h1;
   always @(posedge clk)
-    \$signal$3  <= \$34 ;
+    \$signal$13  <= \$37 ;
   always @(posedge clk)
-    waiting <= \$35 ;
+    waiting <= \$38 ;
   always @(posedge clk)
-    \$signal$4  <= \$36 ;
+    \$signal$6  <= \$39 ;
   always @(posedge clk)
-    index <= \$37 ;
+    index <= \$40 ;
   always @(posedge clk)
-    current <= \$38 ;
+    current <= \$41 ;
   always @(posedge clk)
-    \$signal$5  <= \$39 ;
+    \$signal$3  <= \$42 ;
   always @(posedge clk)
-    section <= \$40 ;
+    section <= \$43 ;
   always @(posedge clk)
-    accumulators <= \heads$60 ;
+    accumulators <= \heads$61 ;
   always @(posedge clk)
-    \edge  <= \$41 ;
+    \edge  <= \$44 ;
   always @(posedge clk)
-    \$signal$62  <= { section, info_now[3:0], index[3:2] };
+    \$signal$63  <= { section, info_now[3:0], index[3:2] };
   always @(posedge clk)
-    \$signal$63  <= index[1:0];
+    \$signal$64  <= index[1:0];
   always @(posedge clk)
-    \$signal$64  <= \$42 ;
+    \$signal$65  <= \$45 ;
   always @(posedge clk)
-    \$signal$65  <= \$43 ;
+    \$signal$66  <= \$46 ;
   always @(posedge clk)
-    \$signal$66  <= info_now[8:5];
+    \$signal$67  <= info_now[8:5];
   always @(posedge clk)
-    \$signal$67  <= info_now[10];
-  always @(posedge clk)
-    \$signal$68  <= \$signal$62 ;
+    \$signal$68  <= info_now[10];
   always @(posedge clk)
     \$signal$69  <= \$signal$63 ;
   always @(posedge clk)
-    \$signal$70  <= \$44 ;
+    \$signal$70  <= \$signal$64 ;
   always @(posedge clk)
-    \$signal$71  <= \$45 ;
+    \$signal$71  <= \$47 ;
   always @(posedge clk)
-    \$signal$72  <= \$signal$66 ;
+    \$signal$72  <= \$48 ;
   always @(posedge clk)
     \$signal$73  <= \$signal$67 ;
   always @(posedge clk)
@@ -6071,86 +6085,84 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   always @(posedge clk)
     \$signal$75  <= \$signal$69 ;
   always @(posedge clk)
-    \$signal$76  <= \$46 ;
+    \$signal$76  <= \$signal$70 ;
   always @(posedge clk)
-    \$signal$77  <= \$47 ;
+    \$signal$77  <= \$49 ;
   always @(posedge clk)
-    \$signal$78  <= \$signal$72 ;
+    \$signal$78  <= \$50 ;
   always @(posedge clk)
     \$signal$79  <= \$signal$73 ;
   always @(posedge clk)
-    put__addr <= \$signal$74 ;
+    \$signal$80  <= \$signal$74 ;
   always @(posedge clk)
-    \$signal$31  <= \$signal$75 ;
+    put__addr <= \$signal$75 ;
   always @(posedge clk)
-    \$signal$30  <= \$48 ;
+    \$signal$32  <= \$signal$76 ;
   always @(posedge clk)
-    \$signal$80  <= \$49 ;
+    \$signal$31  <= \$51 ;
   always @(posedge clk)
-    \$signal$81  <= \$signal$78 ;
+    \$signal$81  <= \$52 ;
   always @(posedge clk)
     \$signal$82  <= \$signal$79 ;
   always @(posedge clk)
-    valid <= \$50 ;
+    \$signal$83  <= \$signal$80 ;
   always @(posedge clk)
-    slot_read <= \$51 ;
+    valid <= \$53 ;
   always @(posedge clk)
-    meta <= \$52 ;
+    slot_read <= \$54 ;
   always @(posedge clk)
-    word <= \$53 ;
+    meta <= \$55 ;
   always @(posedge clk)
-    \$signal$38  <= \$54 ;
+    word <= \$56 ;
   always @(posedge clk)
-    \$signal$33  <= \$55 ;
+    \$signal$39  <= \$57 ;
   always @(posedge clk)
-    filled <= \$56 ;
+    \$signal$34  <= \$58 ;
   always @(posedge clk)
-    image_last <= \$57 ;
+    filled <= \$59 ;
   always @(posedge clk)
-    slots0 <= \$58 ;
+    image_last <= \$60 ;
   always @(posedge clk)
-    slots1 <= \$59 ;
+    slots0 <= \$61 ;
   always @(posedge clk)
-    slots2 <= \$60 ;
+    slots1 <= \$62 ;
   always @(posedge clk)
-    slots3 <= \$61 ;
-  assign group_start = ! waiting[3:0];
-  assign \$1  = ~ \$signal$4 ;
-  assign \$2  = \$signal$3  & \$1 ;
-  assign \$3  = ~ group_start;
-  assign \$4  = \$signal$5  >> section;
-  assign \$5  = ~ \$4 ;
-  assign \$6  = \$3  | \$5 ;
-  assign \$signal  = \$2  & \$6 ;
-  assign \$signal$7  = \$signal$4  | \$signal ;
-  assign info_now = \$signal$4  ? current : waiting;
-  assign \$7  = index == 4'hf;
-  assign last_cycle = \$signal$7  & \$7 ;
-  assign \$8  = index == 4'h9;
-  assign credit = \$signal$7  & \$8 ;
-  assign \$9  = { info_now[3:0], index } + requant_base;
-  assign \$10  = 1'h1 << \$signal$31 ;
-  assign put__en = \$signal$30  ? \$10  : 4'h0;
-  assign todo = \$11  >> \$signal$38 ;
-  assign \$12  = word + 1'h1;
-  assign word_last = \$12  == shape[131:120];
+    slots2 <= \$63 ;
+  always @(posedge clk)
+    slots3 <= \$64 ;
+  assign \$signal  = ! waiting[3:0];
+  assign \$1  = ~ \$signal ;
+  assign \$2  = \$signal$3  >> section;
+  assign \$3  = ~ \$2 ;
+  assign free = \$1  | \$3 ;
+  assign info_now = \$signal$6  ? current : waiting;
+  assign \$4  = index == 4'hf;
+  assign last_cycle = \$signal$9  & \$4 ;
+  assign \$5  = ~ \$signal$6 ;
+  assign \$6  = \$signal$13  & \$5 ;
+  assign \$signal$12  = \$6  & free;
+  assign \$signal$9  = \$signal$6  | \$signal$12 ;
+  assign \$7  = index == 4'h9;
+  assign credit = \$signal$9  & \$7 ;
+  assign \$8  = { info_now[3:0], index } + requant_base;
+  assign \$9  = 1'h1 << \$signal$32 ;
+  assign put__en = \$signal$31  ? \$9  : 4'h0;
+  assign todo = \$10  >> \$signal$39 ;
+  assign \$11  = word + 1'h1;
+  assign word_last = \$11  == shape[131:120];
   assign pixel_after = | todo[3:1];
-  assign \$13  = ~ valid;
-  assign advance = \$13  | o__ready;
-  assign \$14  = filled >> \$signal$33 ;
-  assign fetch = \$14  & advance;
-  assign \$15  = ~ todo[0];
-  assign \$16  = word_last | \$15 ;
-  assign \$17  = fetch & \$16 ;
-  assign \$18  = ~ pixel_after;
-  assign section_done = \$17  & \$18 ;
-  assign \$19  = ~ last_cycle;
-  assign \$20  = index + 1'h1;
-  assign \$21  = last_cycle ? 5'h00 : \$20 ;
-  assign \$22  = last_cycle & info_now[4];
-  assign \$23  = section + 1'h1;
-  assign \$24  = last_cycle & info_now[4];
-  assign \$25  = fetch & todo[0];
+  assign \$12  = ~ valid;
+  assign advance = \$12  | o__ready;
+  assign \$13  = filled >> \$signal$34 ;
+  assign fetch = \$13  & advance;
+  assign \$14  = ~ todo[0];
+  assign \$15  = word_last | \$14 ;
+  assign \$16  = fetch & \$15 ;
+  assign \$17  = ~ pixel_after;
+  assign section_done = \$16  & \$17 ;
+  assign \$18  = ~ last_cycle;
+  assign \$19  = index + 1'h1;
+  assign \$20  = last_cycle ? 5'h00 : \$19 ;
   macram_ram #(
     .ADDR_BITS(32'd8),
     .DEPTH(32'd256),
@@ -6159,7 +6171,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
     .WIDTH(32'd192)
   ) buffer (
     .clk(clk),
-    .read_addr({ \$signal$33 , word[5:0] }),
+    .read_addr({ \$signal$34 , word[5:0] }),
     .read_data(get__data),
     .read_en(advance),
     .write_addr(put__addr),
@@ -6172,9 +6184,9 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
     .INIT_FILE("requant.mem"),
     .LANES(32'd1),
     .WIDTH(32'd672)
-  ) \parameters$86  (
+  ) \parameters$87  (
     .clk(clk),
-    .read_addr(\$9 [7:0]),
+    .read_addr(\$8 [7:0]),
     .read_data(parameters),
     .read_en(1'h1),
     .write_addr(reload__addr),
@@ -6212,72 +6224,27 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$34  = \$signal$3 ;
+    \$37  = \$signal$13 ;
     if (finished) begin
-      \$34  = 1'h1;
-    end else if (\$signal ) begin
-      \$34  = 1'h0;
+      \$37  = 1'h1;
+    end else if (\$signal$12 ) begin
+      \$37  = 1'h0;
     end
     if (start) begin
-      \$34  = 1'h0;
+      \$37  = 1'h0;
     end
     if (soft_reset) begin
-      \$34  = 1'h0;
+      \$37  = 1'h0;
     end
     if (rst) begin
-      \$34  = 1'h0;
+      \$37  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$35  = waiting;
+    \$38  = waiting;
     if (finished) begin
-      \$35  = info;
-    end
-    if (soft_reset) begin
-      \$35  = 11'h000;
-    end
-    if (rst) begin
-      \$35  = 11'h000;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$36  = \$signal$4 ;
-    if (\$signal$7 ) begin
-      \$36  = \$19 ;
-    end
-    if (start) begin
-      \$36  = 1'h0;
-    end
-    if (soft_reset) begin
-      \$36  = 1'h0;
-    end
-    if (rst) begin
-      \$36  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$37  = index;
-    if (\$signal$7 ) begin
-      \$37  = \$21 [3:0];
-    end
-    if (start) begin
-      \$37  = 4'h0;
-    end
-    if (soft_reset) begin
-      \$37  = 4'h0;
-    end
-    if (rst) begin
-      \$37  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$38  = current;
-    if (\$signal ) begin
-      \$38  = waiting;
+      \$38  = info;
     end
     if (soft_reset) begin
       \$38  = 11'h000;
@@ -6288,94 +6255,109 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$39  = \$signal$5 ;
-    if (\$signal ) begin
-      if (group_start) begin
+    \$39  = \$signal$6 ;
+    if (\$signal$9 ) begin
+      \$39  = \$18 ;
+    end
+    if (start) begin
+      \$39  = 1'h0;
+    end
+    if (soft_reset) begin
+      \$39  = 1'h0;
+    end
+    if (rst) begin
+      \$39  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$40  = index;
+    if (\$signal$9 ) begin
+      \$40  = \$20 [3:0];
+    end
+    if (start) begin
+      \$40  = 4'h0;
+    end
+    if (soft_reset) begin
+      \$40  = 4'h0;
+    end
+    if (rst) begin
+      \$40  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$41  = current;
+    if (\$signal$12 ) begin
+      \$41  = waiting;
+    end
+    if (soft_reset) begin
+      \$41  = 11'h000;
+    end
+    if (rst) begin
+      \$41  = 11'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$42  = \$signal$3 ;
+    if (\$signal$12 ) begin
+      if (\$22 ) begin
         (* full_case = 32'd1 *)
         casez (section)
           2'h0:
-              \$39 [0] = 1'h1;
+              \$42 [0] = 1'h1;
           2'h1:
-              \$39 [1] = 1'h1;
+              \$42 [1] = 1'h1;
           2'h2:
-              \$39 [2] = 1'h1;
+              \$42 [2] = 1'h1;
           2'h3:
-              \$39 [3] = 1'h1;
+              \$42 [3] = 1'h1;
         endcase
       end
     end
     if (section_done) begin
       (* full_case = 32'd1 *)
-      casez (\$signal$33 )
+      casez (\$signal$34 )
         2'h0:
-            \$39 [0] = 1'h0;
+            \$42 [0] = 1'h0;
         2'h1:
-            \$39 [1] = 1'h0;
+            \$42 [1] = 1'h0;
         2'h2:
-            \$39 [2] = 1'h0;
+            \$42 [2] = 1'h0;
         2'h3:
-            \$39 [3] = 1'h0;
+            \$42 [3] = 1'h0;
       endcase
     end
     if (start) begin
-      \$39  = 4'h0;
+      \$42  = 4'h0;
     end
     if (soft_reset) begin
-      \$39  = 4'h0;
+      \$42  = 4'h0;
     end
     if (rst) begin
-      \$39  = 4'h0;
+      \$42  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$40  = section;
-    if (\$22 ) begin
-      \$40  = \$23 [1:0];
+    \$43  = section;
+    if (\$23 ) begin
+      \$43  = \$24 [1:0];
     end
     if (start) begin
-      \$40  = 2'h0;
+      \$43  = 2'h0;
     end
     if (soft_reset) begin
-      \$40  = 2'h0;
+      \$43  = 2'h0;
     end
     if (rst) begin
-      \$40  = 2'h0;
+      \$43  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$41  = info_now[9];
-    if (soft_reset) begin
-      \$41  = 1'h0;
-    end
-    if (rst) begin
-      \$41  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$42  = \$signal$7 ;
-    if (soft_reset) begin
-      \$42  = 1'h0;
-    end
-    if (rst) begin
-      \$42  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$43  = \$24 ;
-    if (soft_reset) begin
-      \$43  = 1'h0;
-    end
-    if (rst) begin
-      \$43  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$44  = \$signal$64 ;
+    \$44  = info_now[9];
     if (soft_reset) begin
       \$44  = 1'h0;
     end
@@ -6385,7 +6367,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$45  = \$signal$65 ;
+    \$45  = \$signal$9 ;
     if (soft_reset) begin
       \$45  = 1'h0;
     end
@@ -6395,7 +6377,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$46  = \$signal$70 ;
+    \$46  = \$27 ;
     if (soft_reset) begin
       \$46  = 1'h0;
     end
@@ -6405,7 +6387,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$47  = \$signal$71 ;
+    \$47  = \$signal$65 ;
     if (soft_reset) begin
       \$47  = 1'h0;
     end
@@ -6415,7 +6397,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$48  = \$signal$76 ;
+    \$48  = \$signal$66 ;
     if (soft_reset) begin
       \$48  = 1'h0;
     end
@@ -6425,7 +6407,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$49  = \$signal$77 ;
+    \$49  = \$signal$71 ;
     if (soft_reset) begin
       \$49  = 1'h0;
     end
@@ -6435,196 +6417,169 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$50  = valid;
+    \$50  = \$signal$72 ;
+    if (soft_reset) begin
+      \$50  = 1'h0;
+    end
+    if (rst) begin
+      \$50  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$51  = \$signal$77 ;
+    if (soft_reset) begin
+      \$51  = 1'h0;
+    end
+    if (rst) begin
+      \$51  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$52  = \$signal$78 ;
+    if (soft_reset) begin
+      \$52  = 1'h0;
+    end
+    if (rst) begin
+      \$52  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$53  = valid;
     if (advance) begin
-      \$50  = \$25 ;
+      \$53  = \$28 ;
     end
     if (start) begin
-      \$50  = 1'h0;
+      \$53  = 1'h0;
     end
     if (soft_reset) begin
-      \$50  = 1'h0;
+      \$53  = 1'h0;
     end
     if (rst) begin
-      \$50  = 1'h0;
+      \$53  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$51  = slot_read;
+    \$54  = slot_read;
     if (advance) begin
-      \$51  = \$signal$38 ;
+      \$54  = \$signal$39 ;
     end
     if (soft_reset) begin
-      \$51  = 2'h0;
+      \$54  = 2'h0;
     end
     if (rst) begin
-      \$51  = 2'h0;
+      \$54  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$52  = meta;
+    \$55  = meta;
     if (advance) begin
-      \$52 [1] = word_last;
-      \$52 [2] = \$28 ;
+      \$55 [1] = word_last;
+      \$55 [2] = \$31 ;
     end
     if (soft_reset) begin
-      \$52 [2:1] = 2'h0;
+      \$55 [2:1] = 2'h0;
     end
     if (rst) begin
-      \$52  = 3'h0;
+      \$55  = 3'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$53  = word;
+    \$56  = word;
     if (fetch) begin
       (* full_case = 32'd1 *)
-      if (\$30 ) begin
-        \$53  = 12'h000;
+      if (\$33 ) begin
+        \$56  = 12'h000;
       end else begin
-        \$53  = \$32 [11:0];
+        \$56  = \$35 [11:0];
       end
     end
     if (section_done) begin
-      \$53  = 12'h000;
+      \$56  = 12'h000;
     end
     if (start) begin
-      \$53  = 12'h000;
+      \$56  = 12'h000;
     end
     if (soft_reset) begin
-      \$53  = 12'h000;
+      \$56  = 12'h000;
     end
     if (rst) begin
-      \$53  = 12'h000;
+      \$56  = 12'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$54  = \$signal$38 ;
+    \$57  = \$signal$39 ;
     if (fetch) begin
-      if (\$30 ) begin
-        \$54  = \$31 [1:0];
+      if (\$33 ) begin
+        \$57  = \$34 [1:0];
       end
     end
     if (section_done) begin
-      \$54  = 2'h0;
+      \$57  = 2'h0;
     end
     if (start) begin
-      \$54  = 2'h0;
+      \$57  = 2'h0;
     end
     if (soft_reset) begin
-      \$54  = 2'h0;
+      \$57  = 2'h0;
     end
     if (rst) begin
-      \$54  = 2'h0;
+      \$57  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$55  = \$signal$33 ;
+    \$58  = \$signal$34 ;
     if (section_done) begin
-      \$55  = \$33 [1:0];
+      \$58  = \$36 [1:0];
     end
     if (start) begin
-      \$55  = 2'h0;
+      \$58  = 2'h0;
     end
     if (soft_reset) begin
-      \$55  = 2'h0;
+      \$58  = 2'h0;
     end
     if (rst) begin
-      \$55  = 2'h0;
+      \$58  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$56  = filled;
+    \$59  = filled;
     if (section_done) begin
       (* full_case = 32'd1 *)
-      casez (\$signal$33 )
+      casez (\$signal$34 )
         2'h0:
-            \$56 [0] = 1'h0;
+            \$59 [0] = 1'h0;
         2'h1:
-            \$56 [1] = 1'h0;
+            \$59 [1] = 1'h0;
         2'h2:
-            \$56 [2] = 1'h0;
+            \$59 [2] = 1'h0;
         2'h3:
-            \$56 [3] = 1'h0;
+            \$59 [3] = 1'h0;
       endcase
     end
-    if (\$signal$80 ) begin
+    if (\$signal$81 ) begin
       (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
-            \$56 [0] = 1'h1;
+            \$59 [0] = 1'h1;
         2'h1:
-            \$56 [1] = 1'h1;
+            \$59 [1] = 1'h1;
         2'h2:
-            \$56 [2] = 1'h1;
+            \$59 [2] = 1'h1;
         2'h3:
-            \$56 [3] = 1'h1;
+            \$59 [3] = 1'h1;
       endcase
     end
     if (start) begin
-      \$56  = 4'h0;
-    end
-    if (soft_reset) begin
-      \$56  = 4'h0;
-    end
-    if (rst) begin
-      \$56  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$57  = image_last;
-    if (\$signal$80 ) begin
-      (* full_case = 32'd1 *)
-      casez (put__addr[7:6])
-        2'h0:
-            \$57 [0] = \$signal$82 ;
-        2'h1:
-            \$57 [1] = \$signal$82 ;
-        2'h2:
-            \$57 [2] = \$signal$82 ;
-        2'h3:
-            \$57 [3] = \$signal$82 ;
-      endcase
-    end
-    if (soft_reset) begin
-      \$57  = 4'h0;
-    end
-    if (rst) begin
-      \$57  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$58  = slots0;
-    if (\$signal$80 ) begin
-      casez (put__addr[7:6])
-        2'h0:
-            \$58  = \$signal$81 ;
-      endcase
-    end
-    if (soft_reset) begin
-      \$58  = 4'h0;
-    end
-    if (rst) begin
-      \$58  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$59  = slots1;
-    if (\$signal$80 ) begin
-      casez (put__addr[7:6])
-        2'h0:
-            /* empty */;
-        2'h1:
-            \$59  = \$signal$81 ;
-      endcase
+      \$59  = 4'h0;
     end
     if (soft_reset) begin
       \$59  = 4'h0;
@@ -6635,15 +6590,18 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$60  = slots2;
-    if (\$signal$80 ) begin
+    \$60  = image_last;
+    if (\$signal$81 ) begin
+      (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
-            /* empty */;
+            \$60 [0] = \$signal$83 ;
         2'h1:
-            /* empty */;
+            \$60 [1] = \$signal$83 ;
         2'h2:
-            \$60  = \$signal$81 ;
+            \$60 [2] = \$signal$83 ;
+        2'h3:
+            \$60 [3] = \$signal$83 ;
       endcase
     end
     if (soft_reset) begin
@@ -6655,8 +6613,62 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$61  = slots3;
-    if (\$signal$80 ) begin
+    \$61  = slots0;
+    if (\$signal$81 ) begin
+      casez (put__addr[7:6])
+        2'h0:
+            \$61  = \$signal$82 ;
+      endcase
+    end
+    if (soft_reset) begin
+      \$61  = 4'h0;
+    end
+    if (rst) begin
+      \$61  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$62  = slots1;
+    if (\$signal$81 ) begin
+      casez (put__addr[7:6])
+        2'h0:
+            /* empty */;
+        2'h1:
+            \$62  = \$signal$82 ;
+      endcase
+    end
+    if (soft_reset) begin
+      \$62  = 4'h0;
+    end
+    if (rst) begin
+      \$62  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$63  = slots2;
+    if (\$signal$81 ) begin
+      casez (put__addr[7:6])
+        2'h0:
+            /* empty */;
+        2'h1:
+            /* empty */;
+        2'h2:
+            \$63  = \$signal$82 ;
+      endcase
+    end
+    if (soft_reset) begin
+      \$63  = 4'h0;
+    end
+    if (rst) begin
+      \$63  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$64  = slots3;
+    if (\$signal$81 ) begin
       (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
@@ -6666,41 +6678,41 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
         2'h2:
             /* empty */;
         2'h3:
-            \$61  = \$signal$81 ;
+            \$64  = \$signal$82 ;
       endcase
     end
     if (soft_reset) begin
-      \$61  = 4'h0;
+      \$64  = 4'h0;
     end
     if (rst) begin
-      \$61  = 4'h0;
+      \$64  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
     (* full_case = 32'd1 *)
-    casez (\$signal$33 )
+    casez (\$signal$34 )
       2'h0:
-          \$11  = slots0;
+          \$10  = slots0;
       2'h1:
-          \$11  = slots1;
+          \$10  = slots1;
       2'h2:
-          \$11  = slots2;
+          \$10  = slots2;
       2'h3:
-          \$11  = slots3;
+          \$10  = slots3;
     endcase
   end
   assign write = { reload__data, reload__addr };
   assign write_en = reload__en;
-  assign \$signature__addr  = \$9 [7:0];
+  assign \$signature__addr  = \$8 [7:0];
   assign \$signature__data  = parameters;
   assign heads = accumulators;
-  assign \$signal$26  = put__addr;
+  assign \$signal$27  = put__addr;
   assign put__data = { codes, codes, codes, codes };
-  assign get__addr = { \$signal$33 , word[5:0] };
+  assign get__addr = { \$signal$34 , word[5:0] };
   assign get__en = advance;
   assign o__valid = valid;
-  assign shift = \$signal$7 ;
+  assign shift = \$signal$9 ;
   assign \waiting.tile  = waiting[3:0];
   assign \waiting.tile_last  = waiting[4];
   assign \waiting.slots  = waiting[8:5];
@@ -6787,26 +6799,30 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   assign \info.slots  = info[8:5];
   assign \info.edge  = info[9];
   assign \info.image_last  = info[10];
-  assign \heads$60[0]  = \heads$60 [75:0];
-  assign \heads$60[0][0]  = \heads$60 [18:0];
-  assign \heads$60[0][1]  = \heads$60 [37:19];
-  assign \heads$60[0][2]  = \heads$60 [56:38];
-  assign \heads$60[0][3]  = \heads$60 [75:57];
-  assign \heads$60[1]  = \heads$60 [151:76];
-  assign \heads$60[1][0]  = \heads$60 [94:76];
-  assign \heads$60[1][1]  = \heads$60 [113:95];
-  assign \heads$60[1][2]  = \heads$60 [132:114];
-  assign \heads$60[1][3]  = \heads$60 [151:133];
-  assign \heads$60[2]  = \heads$60 [227:152];
-  assign \heads$60[2][0]  = \heads$60 [170:152];
-  assign \heads$60[2][1]  = \heads$60 [189:171];
-  assign \heads$60[2][2]  = \heads$60 [208:190];
-  assign \heads$60[2][3]  = \heads$60 [227:209];
-  assign \heads$60[3]  = \heads$60 [303:228];
-  assign \heads$60[3][0]  = \heads$60 [246:228];
-  assign \heads$60[3][1]  = \heads$60 [265:247];
-  assign \heads$60[3][2]  = \heads$60 [284:266];
-  assign \heads$60[3][3]  = \heads$60 [303:285];
+  assign \heads$61[0]  = \heads$61 [75:0];
+  assign \heads$61[0][0]  = \heads$61 [18:0];
+  assign \heads$61[0][1]  = \heads$61 [37:19];
+  assign \heads$61[0][2]  = \heads$61 [56:38];
+  assign \heads$61[0][3]  = \heads$61 [75:57];
+  assign \heads$61[1]  = \heads$61 [151:76];
+  assign \heads$61[1][0]  = \heads$61 [94:76];
+  assign \heads$61[1][1]  = \heads$61 [113:95];
+  assign \heads$61[1][2]  = \heads$61 [132:114];
+  assign \heads$61[1][3]  = \heads$61 [151:133];
+  assign \heads$61[2]  = \heads$61 [227:152];
+  assign \heads$61[2][0]  = \heads$61 [170:152];
+  assign \heads$61[2][1]  = \heads$61 [189:171];
+  assign \heads$61[2][2]  = \heads$61 [208:190];
+  assign \heads$61[2][3]  = \heads$61 [227:209];
+  assign \heads$61[3]  = \heads$61 [303:228];
+  assign \heads$61[3][0]  = \heads$61 [246:228];
+  assign \heads$61[3][1]  = \heads$61 [265:247];
+  assign \heads$61[3][2]  = \heads$61 [284:266];
+  assign \heads$61[3][3]  = \heads$61 [303:285];
+  assign \$21  = 1'h1;
+  assign \$22  = \$signal ;
+  assign \$26  = 1'h1;
+  assign \$27  = \$25 ;
 endmodule
 
 module \macram_top.array.drain.requant (rst, \parameters$3 , soft_reset, accumulators, \edge , codes, clk);
@@ -7899,7 +7915,7 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   assign \$2  = { 64'h0000000000000000, buffer[111:64] };
 endmodule
 
-module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1305$0 , beats, open, clk);
+module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1313$0 , beats, open, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$6  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -7954,8 +7970,8 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   wire o__valid;
   output open;
   reg open = 1'h0;
-  input [31:0] \port$1305$0 ;
-  wire [31:0] \port$1305$0 ;
+  input [31:0] \port$1313$0 ;
+  wire [31:0] \port$1313$0 ;
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
@@ -7970,10 +7986,10 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   assign \$1  = \$signal$9  + 1'h1;
   assign \$signal$8  = \$1  == beats;
   assign \$2  = \$signal$12  + 1'h1;
-  assign \$3  = \$2  == \port$1305$0 [31:16];
+  assign \$3  = \$2  == \port$1313$0 [31:16];
   assign \$signal$11  = \$signal$8  & \$3 ;
   assign \$4  = row + 1'h1;
-  assign \$5  = \$4  == \port$1305$0 [15:0];
+  assign \$5  = \$4  == \port$1313$0 [15:0];
   assign \$signal$14  = \$signal$11  & \$5 ;
   assign \$6  = i__payload[64] != \$signal$14 ;
   assign fault = \$signal  & \$6 ;
@@ -8062,13 +8078,13 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
     end
   end
   assign o__payload = i__payload[63:0];
-  assign width = \port$1305$0 [31:16];
-  assign height = \port$1305$0 [15:0];
+  assign width = \port$1313$0 [31:16];
+  assign height = \port$1313$0 [15:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1305$79 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1313$79 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -8121,8 +8137,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1305$79 ;
-  wire [13:0] \port$1305$79 ;
+  input [13:0] \port$1313$79 ;
+  wire [13:0] \port$1313$79 ;
   wire put;
   input rst;
   wire rst;
@@ -8130,7 +8146,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire soft_reset;
   reg [15:0] words_out = 16'h0000;
   wire [15:0] words_per_pixel;
-  assign \$1  = \port$1305$79  - 1'h1;
+  assign \$1  = \port$1313$79  - 1'h1;
   assign \$3  = \$signal$6  ? \$2  : buffer;
   assign \$4  = \$signal  ? 112'h0000000000000000000000000000 : \$3 ;
   assign \$5  = put ? i__payload : 64'h0000000000000000;
@@ -8220,7 +8236,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
       \$27  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1305$79  };
+  assign words_per_pixel = { 2'h0, \port$1313$79  };
   assign \$like  = \$20 [6:0];
   assign o__payload = buffer[47:0];
   assign \$2  = { 48'h000000000000, buffer[111:48] };
@@ -8642,7 +8658,7 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   assign \read.mask  = read[14:11];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1561$0 , \port$1563$0 , \port$1565$0 , i__ready, to_requant, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1569$0 , \port$1571$0 , \port$1573$0 , i__ready, to_requant, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
@@ -8713,13 +8729,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 10'h000 *)
-  output [9:0] \port$1561$0 ;
-  wire [9:0] \port$1561$0 ;
+  output [9:0] \port$1569$0 ;
+  wire [9:0] \port$1569$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1563$0 ;
-  wire [7:0] \port$1563$0 ;
-  output [671:0] \port$1565$0 ;
-  wire [671:0] \port$1565$0 ;
+  output [7:0] \port$1571$0 ;
+  wire [7:0] \port$1571$0 ;
+  output [671:0] \port$1573$0 ;
+  wire [671:0] \port$1573$0 ;
   wire [679:0] requant;
   wire [7:0] \requant.addr ;
   wire [671:0] \requant.data ;
@@ -8920,9 +8936,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[647:576], \$27  };
   assign requant = { shifter[671:0], \$29  };
-  assign \port$1561$0  = \$27 ;
-  assign \port$1563$0  = \$29 ;
-  assign \port$1565$0  = shifter[671:0];
+  assign \port$1569$0  = \$27 ;
+  assign \port$1571$0  = \$29 ;
+  assign \port$1573$0  = shifter[671:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$27 ;
@@ -17678,7 +17694,7 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1264$0 , \port$1270$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
+, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1272$0 , \port$1278$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -17801,10 +17817,11 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   reg [31:0] param_base = 32'd0;
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
-  input \port$1264$0 ;
-  wire \port$1264$0 ;
-  input [2:0] \port$1270$0 ;
-  wire [2:0] \port$1270$0 ;
+  wire [31:0] partial_c_in;
+  input \port$1272$0 ;
+  wire \port$1272$0 ;
+  input [2:0] \port$1278$0 ;
+  wire [2:0] \port$1278$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
   output [31:0] requant_base;
@@ -18137,13 +18154,13 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h00:
             \$43  = 32'd1296122706;
         5'h01:
-            \$43  = 32'd131072;
+            \$43  = 32'd131073;
         5'h02:
             \$43  = 32'd0;
         5'h03:
-            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1264$0 , busy };
+            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1272$0 , busy };
         5'h04:
-            \$43  = { 29'h00000000, \port$1270$0  };
+            \$43  = { 29'h00000000, \port$1278$0  };
         5'h05:
             \$43  = height;
         5'h06:
@@ -18194,6 +18211,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
             \$43  = residual_bounds0;
         5'h1d:
             \$43  = residual_bounds1;
+        5'h1e:
+            \$43  = 32'd0;
       endcase
     end
     if (rst) begin
@@ -18267,6 +18286,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h1c:
             /* empty */;
         5'h1d:
+            /* empty */;
+        5'h1e:
             /* empty */;
         default:
             \$44  = 2'h2;
@@ -18772,12 +18793,13 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       \$35  = 32'd0;
     end
   end
-  assign status = { 28'h0000000, loading, \port$2$0 , \port$1264$0 , busy };
-  assign error = { 29'h00000000, \port$1270$0  };
+  assign status = { 28'h0000000, loading, \port$2$0 , \port$1272$0 , busy };
+  assign error = { 29'h00000000, \port$1278$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
   assign weight_depth = 32'd1024;
   assign row_words = 32'd512;
   assign max_channels = 32'd67109888;
   assign residual = 32'd0;
+  assign partial_c_in = 32'd0;
 endmodule

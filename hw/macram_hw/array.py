@@ -1,16 +1,18 @@
 """The array: line buffer, sequencer, 64 units, drain, loader and counters, without the AXI edge."""
 
-from amaranth.hdl import Cat, Module, Mux, Signal
+from amaranth.hdl import Cat, Const, Module, Mux, Signal
 from amaranth.lib import stream, wiring
 from amaranth.lib.wiring import In, Out, connect
 
 from macram.spec import ArrayConfig, Error
+from macram.spec.registers import MODE_SUMS_IN, MODE_SUMS_OUT
 from macram_hw.drain import Drain
 from macram_hw.engine_2x import Interleaver
 from macram_hw.frame import FrameCheck
 from macram_hw.gearbox import Beat, EmitGearbox, IngestGearbox
 from macram_hw.line_buffer import LineBuffer
 from macram_hw.loader import Loader
+from macram_hw.partial import PartialSums
 from macram_hw.residual import ResidualPath
 from macram_hw.sequencer import Sequencer
 from macram_hw.shape import LayerShape, ShapeDecoder
@@ -94,6 +96,16 @@ class Array(wiring.Component):
             connect(m, path.o, emit.i)
         else:
             connect(m, drain.o, emit.i)
+        if config.partial_sum_c_in:
+            m.submodules.partial = partial = self._partial_sums(m, start, drain)
+            watched.append(partial)
+            connect(m, wiring.flipped(self.params), partial.params)
+            connect(m, partial.loads, loader.i)
+            connect(m, emit.o, partial.codes)
+            connect(m, partial.o, wiring.flipped(self.o))
+        else:
+            connect(m, wiring.flipped(self.params), loader.i)
+            connect(m, emit.o, wiring.flipped(self.o))
         last_beat = self._last_beat(m, start, shape)
         self._control(m, decoder, frame, loader, watched, start, last_beat)
         m.d.comb += shape.eq(decoder.shape)
@@ -102,8 +114,6 @@ class Array(wiring.Component):
         connect(m, wiring.flipped(self.i), frame.i)
         connect(m, frame.o, ingest.i)
         connect(m, ingest.o, lines.i)
-        connect(m, emit.o, wiring.flipped(self.o))
-        connect(m, wiring.flipped(self.params), loader.i)
         m.d.comb += [
             *(block.shape.eq(shape) for block in (lines, sequencer, drain)),
             frame.beats.eq(shape.beats_in),
@@ -175,6 +185,20 @@ class Array(wiring.Component):
         ]
         return path
 
+    def _partial_sums(self, m, start, drain):
+        """The way of partial sums between the streams and the drain."""
+        partial = PartialSums(self._config)
+        connect(m, partial.addends, drain.addends)
+        connect(m, drain.results, partial.results)
+        takes, gives = self.mode[MODE_SUMS_IN], self.mode[MODE_SUMS_OUT]
+        m.d.comb += [
+            partial.start.eq(start),
+            partial.last.eq(drain.last),
+            *(block.takes.eq(takes) for block in (partial, drain)),
+            *(block.gives.eq(gives) for block in (partial, drain)),
+        ]
+        return partial
+
     def _last_beat(self, m, start, shape):
         """Strobe: the last beat of the image leaves, on whichever output is the last to be done."""
         outputs = [(self.o, 1)]
@@ -223,6 +247,8 @@ class Array(wiring.Component):
         ]
 
         # ---- commands ------------------------------------------------------------------------------------
+        # A run that starts from partial sums has the parameter stream to itself.
+        takes = self.mode[MODE_SUMS_IN] if config.partial_sum_c_in else Const(0)
         commanded, idle = Signal(), Signal()
         refusal, verdict = Signal(Error, init=Error.NONE), Signal(Error, init=Error.NONE)
         m.d.comb += [commanded.eq(self.command.any()), idle.eq(~self.busy & ~self.loading)]
@@ -234,7 +260,7 @@ class Array(wiring.Component):
             with m.Else():
                 m.d.sync += [wait.eq(decoder.LATENCY), self.done.eq(0)]
         with m.Elif(commanded):
-            with m.If(self.loading):
+            with m.If(self.loading | (self.busy & takes)):
                 m.d.comb += refusal.eq(Error.BAD_COMMAND)
             with m.Elif((self.words == 0) | beyond | (self.busy & overlaps)):
                 m.d.comb += refusal.eq(Error.BAD_RANGE)
@@ -243,7 +269,7 @@ class Array(wiring.Component):
         with m.If(wait != 0):
             m.d.sync += wait.eq(wait - 1)
         with m.If(wait == 1):
-            with m.If((decoder.error == Error.NONE) & self.loading & overlaps):
+            with m.If((decoder.error == Error.NONE) & self.loading & (overlaps | takes)):
                 m.d.comb += verdict.eq(Error.BAD_RANGE)
             with m.Else():
                 m.d.comb += verdict.eq(decoder.error)

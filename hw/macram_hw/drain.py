@@ -1,6 +1,6 @@
 """The drain: result registers -> requantiser -> output buffer -> words in pixel order."""
 
-from amaranth.hdl import Array, Cat, Module, Mux, Signal
+from amaranth.hdl import Array, Cat, Const, Module, Mux, Signal
 from amaranth.lib import data, memory, stream, wiring
 from amaranth.lib.wiring import In, Out
 
@@ -9,6 +9,7 @@ from macram.spec.array import SECTIONS
 from macram_hw.engine import hdl_shape
 from macram_hw.gearbox import PixelWord
 from macram_hw.line_buffer import LineBuffer
+from macram_hw.partial import SumWord, sum_layout
 from macram_hw.requant import Requantiser
 from macram_hw.sequencer import GroupInfo
 from macram_hw.shape import LayerShape
@@ -38,6 +39,10 @@ class Drain(wiring.Component):
         credit: Out, strobe to the sequencer.
         write_en, write: In, parameter reload.
         o: Out stream, `PixelWord` of ``4 * drain`` channels; one per cycle when not stalled.
+        takes, gives, addends, results, last: with partial sums only. In, constant during a run: it starts from sums,
+            it gives sums instead of codes. In stream, what is added to the heads. Out stream, `SumWord`, their sums.
+            Out, the drain is at the image's last word. Each cycle of such a run waits for these streams, so the
+            credit is given only with the last shift.
     """
 
     def __init__(self, config: ArrayConfig):
@@ -57,6 +62,13 @@ class Drain(wiring.Component):
             "write_en": In(1),
             "write": In(RequantWrite(config)),
             "o": Out(stream.Signature(PixelWord(config.output_word_channels * config.output.bits))),
+            **({
+                "takes": In(1),
+                "gives": In(1),
+                "addends": In(stream.Signature(sum_layout(config))),
+                "results": Out(stream.Signature(SumWord(config))),
+                "last": Out(1),
+            } if config.partial_sum_c_in else {}),
         })  # fmt: skip
 
     def elaborate(self, platform):
@@ -73,16 +85,29 @@ class Drain(wiring.Component):
             Signal(GroupInfo(config), name=n) for n in ("waiting", "current", "info_now")
         )
         begin, active, last_cycle = Signal(), Signal(), Signal()
-        group_start = Signal()
+        group_start, free = Signal(), Signal()
         m.d.comb += [
             group_start.eq(waiting.tile == 0),
-            begin.eq(pending & ~busy & (~group_start | ~occupied.bit_select(section, 1))),
-            active.eq(busy | begin),
+            free.eq(~group_start | ~occupied.bit_select(section, 1)),
             info.eq(Mux(busy, current, waiting)),
             last_cycle.eq(active & (index == cycles - 1)),
             self.shift.eq(active),
-            self.credit.eq(active & (index == self.credit_at)),
         ]
+        if config.partial_sum_c_in:
+            can, gives = Signal(), self.gives
+            summed = self._partial_sums(m, can, active, last_cycle, info)
+            m.d.comb += [
+                can.eq(busy | (pending & free)),
+                begin.eq(active & ~busy),
+                self.credit.eq(Mux(self.takes | gives, last_cycle, active & (index == self.credit_at))),
+            ]
+        else:
+            gives, summed = Const(0), self.heads
+            m.d.comb += [
+                begin.eq(pending & ~busy & free),
+                active.eq(busy | begin),
+                self.credit.eq(active & (index == self.credit_at)),
+            ]
         with m.If(self.finished):
             m.d.sync += [pending.eq(1), waiting.eq(self.info)]
         with m.Elif(begin):
@@ -91,7 +116,7 @@ class Drain(wiring.Component):
             m.d.sync += [busy.eq(~last_cycle), index.eq(Mux(last_cycle, 0, index + 1))]
         with m.If(begin):
             m.d.sync += current.eq(waiting)
-            with m.If(group_start):
+            with m.If(group_start & ~gives):
                 m.d.sync += occupied.bit_select(section, 1).eq(1)
         with m.If(last_cycle & info.tile_last):
             m.d.sync += section.eq(section + 1)
@@ -105,7 +130,7 @@ class Drain(wiring.Component):
         )
         read, reload = parameters.read_port(), parameters.write_port()
         m.submodules.requant = requant = Requantiser(config)
-        heads = Signal.like(self.heads, reset_less=True)
+        heads = Signal.like(summed, name="heads", reset_less=True)
         m.d.comb += [
             reload.addr.eq(self.write.addr),
             reload.data.eq(self.write.data),
@@ -114,7 +139,7 @@ class Drain(wiring.Component):
             requant.parameters.eq(read.data),
             requant.accumulators.eq(heads),
         ]
-        m.d.sync += [heads.eq(self.heads), requant.edge.eq(info.edge)]
+        m.d.sync += [heads.eq(summed), requant.edge.eq(info.edge)]
 
         # ---- output buffer: written 4 pixels at a time, read one ----------------------------------------
         write_bits = GROUP * config.drain * config.output.bits
@@ -131,7 +156,7 @@ class Drain(wiring.Component):
             Cat(address, section),
             index[:2],
             active,
-            last_cycle & info.tile_last,
+            last_cycle & info.tile_last & ~gives,
             info.slots,
             info.image_last,
         ]
@@ -211,3 +236,21 @@ class Drain(wiring.Component):
             m.d.sync += [pending.eq(0), busy.eq(0), index.eq(0), occupied.eq(0), filled.eq(0), valid.eq(0)]
             m.d.sync += [section.eq(0), out_section.eq(0), slot.eq(0), word.eq(0)]
         return m
+
+    def _partial_sums(self, m, can, active, last_cycle, info):
+        """The heads with what is added to them; ``active`` where all streams of the run that ``can`` go on do so."""
+        summed = Signal(sum_layout(self._config))
+        for channel, sums in enumerate(summed):
+            m.d.comb += [
+                value.eq(self.heads[channel][slot] + self.addends.payload[channel][slot])
+                for slot, value in enumerate(sums)
+            ]
+        m.d.comb += [
+            active.eq(can & (self.addends.valid | ~self.takes) & (self.results.ready | ~self.gives)),
+            self.addends.ready.eq(can & self.takes & (self.results.ready | ~self.gives)),
+            self.results.valid.eq(can & self.gives & (self.addends.valid | ~self.takes)),
+            self.results.payload.sums.eq(summed),
+            self.results.payload.last.eq(self.last),
+            self.last.eq(last_cycle & info.tile_last & info.image_last),
+        ]
+        return summed

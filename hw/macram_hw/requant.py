@@ -35,7 +35,7 @@ class Requantiser(wiring.Component):
 
     def __init__(self, config: ArrayConfig):
         self._config = config
-        acc = hdl_shape(config.accumulator)
+        acc = hdl_shape(config.sum)
         super().__init__({
             "parameters": In(config.requant_word_bits),
             "edge": In(1),
@@ -56,7 +56,7 @@ class Requantiser(wiring.Component):
             left, right = self._borders(self.parameters[first:end])
             for slot in range(GROUP):
                 border = {0: right, 1: left}.get(slot, 0)
-                whole = Signal(hdl_shape(config.accumulator), name=f"whole_{channel}_{slot}", reset_less=True)
+                whole = Signal(hdl_shape(config.sum), name=f"whole_{channel}_{slot}", reset_less=True)
                 m.d.sync += whole.eq(self.accumulators[channel][slot] + Mux(self.edge, border, 0))
                 at = (slot * config.drain + channel) * bits
                 code = lane(m, parameters[first:end], whole, f"{channel}_{slot}")
@@ -72,7 +72,7 @@ class Requantiser(wiring.Component):
 
     def _threshold_lane(self, m, entry, accumulator, suffix):
         config = self._config
-        width, count, bits = config.accumulator.bits, config.thresholds, config.output.bits
+        width, count, bits = config.sum.bits, config.thresholds, config.output.bits
         reached = Signal(count, name=f"reached_{suffix}", reset_less=True)
         invert = Signal(name=f"invert_{suffix}", reset_less=True)
         m.d.sync += invert.eq(entry[count * width])

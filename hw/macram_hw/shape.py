@@ -5,7 +5,7 @@ from amaranth.lib import data, wiring
 from amaranth.lib.wiring import In, Out
 
 from macram.spec import GROUP, MAX_SIDE, RESIDUAL, TAPS, ArrayConfig, Error
-from macram.spec.registers import MODE_BIASED, MODE_RESIDUAL, MODES
+from macram.spec.registers import MODE_BIASED, MODE_RESIDUAL, MODE_SUMS_IN, MODE_SUMS_OUT, MODES
 from macram_hw.divide import ceil_div_constant
 
 __all__ = ["LayerShape", "ShapeDecoder"]
@@ -130,8 +130,11 @@ class ShapeDecoder(wiring.Component):
         known_mode = Signal()
         biased = [1 << MODE_BIASED] if not config.input.signed else []
         residual = [1 << MODE_RESIDUAL] if config.residual_stream_bits else []
+        into, out = ([1 << bit] if config.partial_sum_c_in else [] for bit in (MODE_SUMS_IN, MODE_SUMS_OUT))
+        # Without codes there is nothing to add to a residual stream.
+        ends = [a | b for a in [0, *into] for b in [0, *residual, *out]]
         with m.Switch(self.mode):
-            with m.Case(*(mode | a | b for mode in MODES for a in [0, *biased] for b in [0, *residual])):
+            with m.Case(*(mode | sign | end for mode in MODES for sign in [0, *biased] for end in ends)):
                 m.d.comb += known_mode.eq(1)
         bad_mode, bad_shape = Signal(), Signal()
         m.d.sync += [bad_mode.eq(~known_mode), bad_shape.eq(too_big.any())]

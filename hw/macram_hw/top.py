@@ -120,6 +120,7 @@ def capabilities(config: ArrayConfig) -> dict[str, Const]:
         "row_words": config.row_words,
         "max_channels": config.max_c_in | config.max_c_out << 16,
         "residual": config.residual_stream_bits,
+        "partial_c_in": config.partial_sum_c_in,
     }
     return {name: Const(value, 32) for name, value in values.items()}
 

@@ -77,8 +77,8 @@ def simulate(
     """Run an image through the exported Verilog of ``packed.array``.
 
     Args:
-        packed: the layer and its array; or the layer in passes over its output channels, which are always
-            loaded through the stream.
+        packed: the layer and its array; or the layer in passes (`macram.pack.pack_passes`), which are always loaded
+            through the stream.
         input_codes: ``[c_in, height, width]``.
         residual: rule of the residual adder and the stream to add to, codes ``[c_out, out_height, out_width]``.
         gaps: idle cycles of the sources, one of `macram_sim.streams.PATTERNS`.
@@ -101,7 +101,7 @@ def simulate(
     """
     passes = [packed] if isinstance(packed, PackedLayer) else list(packed)
     array = passes[0].array
-    _check(passes[0], input_codes, {"gaps": gaps, "stalls": stalls, "load": load}, runs)
+    _check(passes, input_codes, {"gaps": gaps, "stalls": stalls, "load": load}, runs)
     seed = choose_seed(seed)
     started = time.perf_counter()
     model = build_array(array, waves=waves)
@@ -203,15 +203,18 @@ def _generator() -> str:
     return digest.hexdigest()
 
 
-def _check(packed: PackedLayer, image: NDArray[np.integer], choices: Mapping[str, str], runs: int) -> None:
+def _check(
+    passes: Sequence[PackedLayer], image: NDArray[np.integer], choices: Mapping[str, str], runs: int
+) -> None:
     for name, value in choices.items():
         allowed = LOADS if name == "load" else PATTERNS
         if value not in allowed:
             raise ValueError(f"{name} must be one of {', '.join(allowed)}, not {value!r}")
     if runs < 1:
         raise ValueError(f"runs must be at least 1, not {runs}")
-    spec = packed.spec
-    shape = (spec.c_in, spec.height, spec.width)
+    spec = passes[0].spec
+    blocks = next(index for index, part in enumerate(passes, 1) if not part.sums_out)
+    shape = (sum(part.spec.c_in for part in passes[:blocks]), spec.height, spec.width)
     if image.shape != shape or image.dtype.kind not in "iu":
         raise ValueError(f"the image must be integers {list(shape)}, not {image.dtype} {list(image.shape)}")
     if not spec.input.holds(image):

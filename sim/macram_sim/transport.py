@@ -153,18 +153,24 @@ class CocotbTransport:
     def check_params(self, beats: Beats) -> None:
         """Nothing to refuse: a simulated stream takes a packet of any length."""
 
-    async def run_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> list[Beats]:
-        """Send an image, and with it a residual stream, and return the beats that come back meanwhile."""
+    async def run_stream(
+        self, beats: Beats, beats_out: int, residual: Beats | None = None, sums: Beats | None = None
+    ) -> list[Beats]:
+        """Send an image, with it a residual stream and partial sums, and return the beats that come back meanwhile."""
         receiving, sending = [self._output.receive(beats_out)], [self._image.send(beats)]
         if residual is not None:
             receiving.append(self._sums.receive(len(residual)))
             sending.append(self._residual.send(residual))
+        if sums is not None:
+            sending.append(self._params.send(sums))
         _, result = await select(gather(*receiving, *sending), self._watchdog(beats_out))
         return [np.asarray(beats) for beats in result[: len(receiving)]]
 
-    async def begin_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> None:
+    async def begin_stream(
+        self, beats: Beats, beats_out: int, residual: Beats | None = None, sums: Beats | None = None
+    ) -> None:
         """Start sending an image; its outcome, be it an error, waits for `end_stream`."""
-        self._running = cocotb.start_soon(self._outcome(self.run_stream(beats, beats_out, residual)))
+        self._running = cocotb.start_soon(self._outcome(self.run_stream(beats, beats_out, residual, sums)))
 
     async def end_stream(self) -> list[Beats]:
         """The beats of the image that was begun."""

@@ -7,6 +7,7 @@ latter.
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -28,6 +29,7 @@ from macram.spec import (
     Place,
     Status,
     StreamLayout,
+    SumLayout,
     fit_together,
 )
 from macram.spec.identity import identity
@@ -59,7 +61,7 @@ class RunResult:
     """One image through the array.
 
     Attributes:
-        codes: output codes, int64 ``[c_out, out_height, out_width]``.
+        codes: output codes, int64 ``[c_out, out_height, out_width]``; partial sums if the run was set to give them.
         counters: cycle counters by the names of `COUNTERS`.
         sums: the residual stream with this layer's branch added, int64 of the same shape; None without it.
     """
@@ -84,6 +86,7 @@ class ArrayDriver:
         self._array = array
         self._spec: ConvSpec | None = None
         self._rule: ResidualRule | None = None
+        self._sums_in = self._sums_out = False
 
     async def identify(self) -> None:
         """Check that the array is there and was built with this driver's geometry.
@@ -139,12 +142,26 @@ class ArrayDriver:
             await self._wait(Status.LOADING)
 
     async def configure(
-        self, spec: ConvSpec, rule: ResidualRule | None = None, *, place: Place = BOTTOM
+        self,
+        spec: ConvSpec,
+        rule: ResidualRule | None = None,
+        *,
+        place: Place = BOTTOM,
+        sums_in: bool = False,
+        sums_out: bool = False,
     ) -> None:
-        """Set the shape of the layer to run, the rule of the residual sum behind it, and where it was loaded.
+        """Set the layer to run.
+
+        Args:
+            spec: its shape.
+            rule: of the residual sum behind it.
+            place: where it was loaded.
+            sums_in: it starts from partial sums. A load is not possible while it runs.
+            sums_out: it gives partial sums instead of codes; not with a residual sum.
 
         Raises:
-            ValueError: the array does not admit the layer or has no residual adder; nothing is written.
+            ValueError: the array does not admit the layer, has no residual adder or no partial sums; nothing is
+                written.
         """
         self._array.check_admits(spec)
         if rule is not None and not self._array.residual_stream_bits:
@@ -153,6 +170,12 @@ class ArrayDriver:
             )
         if rule is not None and rule.branch != spec.output:
             raise ValueError(f"the residual rule takes {rule.branch} codes, the layer gives {spec.output}")
+        if (sums_in or sums_out) and not self._array.partial_sum_c_in:
+            raise ValueError(
+                f"array {self._array.name!r} has no partial sums; build one with partial_sum_c_in"
+            )
+        if rule is not None and sums_out:
+            raise ValueError("a residual sum needs codes; give the rule to the last block of input channels")
         weight_base, requant_base = place.bases(spec, self._array)
         for name, value in (
             ("HEIGHT", spec.height),
@@ -167,6 +190,8 @@ class ArrayDriver:
                     spec.padding,
                     biased=self._array.biased(spec),
                     residual=rule is not None,
+                    sums_in=sums_in,
+                    sums_out=sums_out,
                 ),
             ),
             ("WEIGHT_BASE", weight_base),
@@ -175,12 +200,14 @@ class ArrayDriver:
         ):
             await self._write(name, value)
         self._spec, self._rule = spec, rule
+        self._sums_in, self._sums_out = sums_in, sums_out
 
     async def run(
         self,
         input_codes: NDArray[np.integer],
         residual: NDArray[np.integer] | None = None,
         *,
+        sums: NDArray[np.integer] | None = None,
         meanwhile: Callable[[], Awaitable[None]] | None = None,
     ) -> RunResult:
         """Run one image ``[c_in, height, width]`` through the configured layer.
@@ -188,6 +215,7 @@ class ArrayDriver:
         Args:
             input_codes: the image.
             residual: the stream to add to, `RESIDUAL` codes ``[c_out, out_height, out_width]``; goes with a rule.
+            sums: partial sums to start from, of that shape; goes with ``sums_in`` of `configure`.
             meanwhile: called once the image is on its way, such as a `load` of the next layer.
 
         Raises:
@@ -212,16 +240,22 @@ class ArrayDriver:
                 raise ValueError(f"the residual stream must be {list(shape)}, not {list(residual.shape)}")
             wide = StreamLayout(spec.c_out, RESIDUAL, array.residual_stream_bits)
         stream = wide.pack(residual) if wide is not None and residual is not None else None
+        if (sums is not None) != self._sums_in:
+            raise ValueError("partial sums and configure(sums_in=True) go together; give both or none")
+        layout = SumLayout(spec, array)
+        addends = None if sums is None else layout.pack(sums)
         output = StreamLayout(spec.c_out, array.output, array.stream_bits)
-        beats_out = spec.out_height * spec.out_width * output.beats_per_pixel
+        beats_out = (
+            layout.beats if self._sums_out else spec.out_height * spec.out_width * output.beats_per_pixel
+        )
         try:
-            await self._transport.begin_stream(beats, beats_out, stream)
+            await self._transport.begin_stream(beats, beats_out, stream, addends)
             try:
                 await self._write("CONTROL", Control.START)
                 if meanwhile is not None:
                     await meanwhile()
             finally:
-                received, *sums = await self._transport.end_stream()
+                received, *summed = await self._transport.end_stream()
         except StreamTimeout:
             await self._raise_error()
             raise
@@ -229,7 +263,9 @@ class ArrayDriver:
         counters = {name: await self._read(name.upper()) for name in COUNTERS}
         size = spec.out_height, spec.out_width
         return RunResult(
-            output.unpack(received, *size), counters, None if wide is None else wide.unpack(sums[0], *size)
+            layout.unpack(received) if self._sums_out else output.unpack(received, *size),
+            counters,
+            None if wide is None else wide.unpack(summed[0], *size),
         )
 
     async def run_sequence(
@@ -238,6 +274,8 @@ class ArrayDriver:
         next_image: Callable[[list[RunResult]], NDArray[np.integer]],
     ) -> list[RunResult]:
         """Load and run layers one after the other, each loaded while the one before it runs if both fit.
+
+        A pass that starts from partial sums takes those of the pass before it; nothing can be loaded beside it.
 
         Args:
             layers: in order.
@@ -253,22 +291,36 @@ class ArrayDriver:
             place, other = (BOTTOM, TOP) if index % 2 == 0 else (TOP, BOTTOM)
             if not loaded:
                 await self.load(packed, place=place)
-            await self.configure(packed.spec, place=place)
+            await self.configure(packed.spec, place=place, sums_in=packed.sums_in, sums_out=packed.sums_out)
             following = layers[index + 1] if index + 1 < len(layers) else None
-            loaded = following is not None and fit_together(packed.spec, following.spec, self._array)
+            loaded = (
+                following is not None
+                and not packed.sums_in
+                and fit_together(packed.spec, following.spec, self._array)
+            )
             load_next = partial(self.load, following, place=other) if following and loaded else None
-            results.append(await self.run(next_image(results), meanwhile=load_next))
+            sums = results[-1].codes if packed.sums_in else None
+            results.append(await self.run(next_image(results), sums=sums, meanwhile=load_next))
         return results
 
     async def run_passes(self, passes: Sequence[PackedLayer], input_codes: NDArray[np.integer]) -> RunResult:
-        """One layer in passes over its output channels (`macram.pack.pack_passes`), the image sent each time.
+        """One layer in passes (`macram.pack.pack_passes`), the image sent each time, or the pass's block of it.
 
         Returns:
             Codes of all channels, counters added up.
         """
-        results = await self.run_sequence(passes, lambda _: input_codes)
+        ends = list(itertools.accumulate(packed.spec.c_in for packed in passes))
+
+        def next_image(before: list[RunResult]) -> NDArray[np.integer]:
+            channels = passes[len(before)].spec.c_in
+            first = (ends[len(before)] - channels) % len(input_codes)
+            return input_codes[first : first + channels]
+
+        results = await self.run_sequence(passes, next_image)
         return RunResult(
-            np.concatenate([result.codes for result in results]),
+            np.concatenate(
+                [result.codes for result, packed in zip(results, passes, strict=True) if not packed.sums_out]
+            ),
             {name: sum(result.counters[name] for result in results) for name in COUNTERS},
         )
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from macram.report.comparison import Comparison, compare
 from macram.report.files import write_json, write_npz
 from macram.report.versions import versions
-from macram.spec import ArrayConfig, ConvSpec, channel_passes
+from macram.spec import ArrayConfig, ConvSpec, layer_passes
 
 if TYPE_CHECKING:
     from macram.layer_file import LayerCase
@@ -66,7 +66,7 @@ class LayerRun:
     Attributes:
         case: the layer that was run.
         array: the array it ran on.
-        passes: the BRAM images, one for each pass over the output channels.
+        passes: the BRAM images, one for each pass, see `macram.spec.layer_passes`.
         expected: golden codes, int64 ``[c_out, out_height, out_width]``.
         produced: codes of the simulated hardware, same shape.
         comparison: ``expected`` against ``produced``.
@@ -161,7 +161,7 @@ def array_for(spec: ConvSpec, base: ArrayConfig | None = None) -> ArrayConfig:
     if any(getattr(array, key) != value for key, value in formats.items()):
         name = "-".join([array.name, *map(str, formats.values())])
         array = dataclasses.replace(array, name=name, **formats)
-    channel_passes(spec, array)
+    layer_passes(spec, array)
     return array
 
 
@@ -220,7 +220,7 @@ def run_layer_job(
         produced=result.codes,
         comparison=compare(expected, result.codes),
         counters={name: int(result.counters[name]) for name in ("cycles", *COUNTERS)},
-        estimate=estimate_table([perf.estimate(part.spec, array) for part in passes]),
+        estimate=estimate_table(perf.estimate_passes(case.spec, array)),
         traffic=traffic,
         build_seconds=build_seconds,
         wall_seconds=result.wall_seconds,

@@ -8,7 +8,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from macram.spec import GROUP, RESIDUAL, ArrayConfig, ConvSpec, IntFormat, StreamLayout, ceil_div
+from macram.spec import (
+    GROUP,
+    RESIDUAL,
+    ArrayConfig,
+    ConvSpec,
+    IntFormat,
+    StreamLayout,
+    ceil_div,
+    layer_passes,
+)
 
 DECISION_TO_RESULT = 5
 """Cycles from the decision of a compute step to its sum in the result registers, without the row engine's."""
@@ -27,11 +36,12 @@ class CycleEstimate:
     Attributes:
         fill: before the first compute step: pixels for one row and one group more must arrive.
         mac: compute steps, ``out_height * groups * tiles * kernel * phases * blocks``.
-        stall: between compute steps. If a sum has fewer steps than it takes to drain, the drain is waited for; if
-            a stream is the limit, that stream. The array books a wait under the first cause it meets, so only the
-            sum of INPUT_STALLS and OUTPUT_STALLS is foretold.
+        stall: between compute steps. If a sum has fewer steps than it takes to drain, on the streams of partial sums
+            if they are used, the drain is waited for; if another stream is the limit, that stream. The array books a
+            wait under the first cause it meets, so only the sum of INPUT_STALLS and OUTPUT_STALLS is foretold.
         drain: after the last compute step.
-        limited_by: ``"compute"``, or ``"input"``/``"output"`` if a stream is slower than the engines.
+        limited_by: ``"compute"``, or ``"input"``/``"output"`` if a stream is slower than the engines; ``"sums"`` if
+            the first partial sums come later than what they are added to.
     """
 
     fill: int
@@ -51,13 +61,34 @@ class CycleEstimate:
         return self.limited_by == "compute"
 
 
-def estimate(layer: ConvSpec, array: ArrayConfig, *, residual: bool = False) -> CycleEstimate:
+def estimate_passes(layer: ConvSpec, array: ArrayConfig) -> list[CycleEstimate]:
+    """Cycles of every pass of ``layer`` on ``array``, see `macram.spec.layer_passes`.
+
+    Raises:
+        ValueError: the array does not admit even one tile of the layer.
+    """
+    return [
+        estimate(part.layer, array, sums_in=part.sums_in, sums_out=part.sums_out)
+        for part in layer_passes(layer, array)
+    ]
+
+
+def estimate(
+    layer: ConvSpec,
+    array: ArrayConfig,
+    *,
+    residual: bool = False,
+    sums_in: bool = False,
+    sums_out: bool = False,
+) -> CycleEstimate:
     """Cycles of ``layer`` on ``array``; 197,205 for the reference layer on the reference array.
 
     Args:
         layer: what is run.
         array: on what.
         residual: with a residual sum behind it.
+        sums_in: it starts from partial sums.
+        sums_out: it gives partial sums instead of codes.
 
     Raises:
         ValueError: the array does not admit the layer.
@@ -77,7 +108,12 @@ def estimate(layer: ConvSpec, array: ArrayConfig, *, residual: bool = False) -> 
     fill = pixel_in * pixels_needed + WRITTEN_TO_DECISION - (pixels_needed == pixels)
 
     to_result = DECISION_TO_RESULT + array.engine_latency
-    drain_period = max(array.drain_cycles, to_result + 1)
+    to_drained, drain_period = array.drain_cycles, max(array.drain_cycles, to_result + 1)
+    if sums_in or sums_out:
+        # Each word of sums takes its beats and a cycle; the next sum may be finished once the last is drained.
+        word = array.sum_word_beats + 1
+        to_drained = (array.drain_cycles - 1) * word + 1
+        drain_period = max(to_result + to_drained, array.drain_cycles * word)
     period = max(steps, drain_period)
     out_groups = layer.out_height * groups
     sums = out_groups * tiles
@@ -85,8 +121,11 @@ def estimate(layer: ConvSpec, array: ArrayConfig, *, residual: bool = False) -> 
     stall = (sums - 1) * (period - steps)
 
     adder = RESIDUAL_LATENCY if array.residual_stream_bits else 0
-    to_output = to_result + array.drain_cycles + RESULT_TO_OUTPUT + adder
-    if tail:
+    to_output = to_result + to_drained + RESULT_TO_OUTPUT + adder
+    if sums_out:
+        drain = (0 if tail else tiles * drain_period) + to_result + to_drained + array.sum_word_beats - 1
+        pixel_out = 0
+    elif tail:
         # The last group's reading: the first of its slots is skipped if the row has no group before it.
         drain = to_output + (groups == 1) + (tail + (groups > 1)) * pixel_out
     else:
@@ -113,6 +152,8 @@ def estimate(layer: ConvSpec, array: ArrayConfig, *, residual: bool = False) -> 
         limits["input"] = max(limits["input"], compute + late * (layer.height // 2 - 1))
     elif out_groups > 1 and max(group_cycles.values()) > tiles * period:
         limited_by = max(group_cycles, key=lambda stream: group_cycles[stream])
+    if sums_in and array.sum_word_beats >= fill + steps + to_result:
+        limited_by = "sums"
     total = max(compute, limits.get(limited_by, 0))
     return CycleEstimate(fill, mac, total - fill - mac - drain, drain, limited_by)
 

@@ -94,7 +94,7 @@ class PynqTransport:
     Args:
         mmio: the array's registers.
         image_dma: DMA of ``s_axis`` and ``m_axis``.
-        param_dma: DMA of ``s_axis_param``.
+        param_dma: DMA of ``s_axis_param``, parameters and partial sums.
         allocate: ``pynq.allocate``.
         residual_dma: DMA of ``s_axis_residual`` and ``m_axis_residual``, if the array has a residual adder.
         timeout: seconds a transfer may take.
@@ -125,6 +125,7 @@ class PynqTransport:
         self._timeout = timeout
         self._lent: list[_Lent] = []
         self._exchanges: list[_Exchange] = []
+        self._sending: list[tuple[Channel, str]] = []
 
     async def read(self, offset: int) -> int:
         """Read the register at a byte offset."""
@@ -154,10 +155,13 @@ class PynqTransport:
         _check_size(beats.size, "parameter stream")
         self._check_free(self._params.sendchannel, "parameter stream")
 
-    async def begin_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> None:
+    async def begin_stream(
+        self, beats: Beats, beats_out: int, residual: Beats | None = None, sums: Beats | None = None
+    ) -> None:
         """Start the transfers of an image and come back at once.
 
-        With ``residual``, those beats go to the residual adder, and as many come back from it.
+        With ``residual``, those beats go to the residual adder, and as many come back from it. With ``sums``, those
+        beats go on the parameter stream.
 
         Raises:
             ValueError: more than `MAX_TRANSFER` bytes in or out, or a residual stream without its DMA.
@@ -173,17 +177,23 @@ class PynqTransport:
             _check_size(count * sent.shape[1], f"{name}output stream")
             self._check_free(dma.sendchannel, f"{name}input stream")
             self._check_free(dma.recvchannel, f"{name}output stream")
+        senders = [(dma.sendchannel, f"{name}input stream", sent) for dma, name, sent, _ in wanted]
+        if sums is not None:
+            _check_size(sums.size, "parameter stream")
+            self._check_free(self._params.sendchannel, "parameter stream")
+            senders.append((self._params.sendchannel, "parameter stream", sums))
         try:
             self._exchanges = [
                 _Exchange(dma, name, (count, sent.shape[1]), self._borrow(count * sent.shape[1]))
                 for dma, name, sent, count in wanted
             ]
-            filled = [self._filled(sent) for _, _, sent, _ in wanted]
+            filled = [self._filled(sent) for _, _, sent in senders]
             # The receivers go first: the array may answer before the whole image is sent.
             for exchange in self._exchanges:
                 self._start(exchange.dma.recvchannel, exchange.received)
-            for exchange, lent in zip(self._exchanges, filled, strict=True):
-                self._start(exchange.dma.sendchannel, lent)
+            for (channel, _, _), lent in zip(senders, filled, strict=True):
+                self._start(channel, lent)
+            self._sending = [(channel, name) for channel, name, _ in senders]
         except BaseException:
             self._exchanges = []
             self._reclaim()
@@ -198,8 +208,8 @@ class PynqTransport:
         if not self._exchanges:
             raise StreamTimeout("no image is on its way; call begin_stream() first")
         try:
-            for exchange in self._exchanges:
-                self._finish(exchange.dma.sendchannel, f"{exchange.name}input stream")
+            for sender, name in self._sending:
+                self._finish(sender, name)
             for exchange in self._exchanges:
                 channel, size = exchange.dma.recvchannel, exchange.shape[0] * exchange.shape[1]
                 self._finish(channel, f"{exchange.name}output stream")

@@ -48,13 +48,16 @@ class Transport(Protocol):
     def check_params(self, beats: Beats) -> None:
         """Raise what `send_params` would refuse to send, before the load is commanded."""
 
-    async def begin_stream(self, beats: Beats, beats_out: int, residual: Beats | None = None) -> None:
+    async def begin_stream(
+        self, beats: Beats, beats_out: int, residual: Beats | None = None, sums: Beats | None = None
+    ) -> None:
         """Send an image, TLAST on its last beat, and expect ``beats_out`` beats back.
 
         It goes on by itself: registers and parameter stream stay free meanwhile. Before START the array takes no beat,
         so it is begun first: what the transport refuses was never started.
 
-        With ``residual``, those beats go to the residual adder, and as many come back from it.
+        With ``residual``, those beats go to the residual adder, and as many come back from it. With ``sums``, those
+        beats go on the parameter stream, which is not free then.
         """
 
     async def end_stream(self) -> list[Beats]:

@@ -16,6 +16,8 @@ CONFIG = ArrayConfig(
 
 
 RESIDUAL = replace(CONFIG, residual_stream_bits=128)
+BLOCKS = replace(CONFIG, partial_sum_c_in=256)
+BOTH = replace(RESIDUAL, partial_sum_c_in=64)
 SIGNED = replace(CONFIG, input=IntFormat(3, signed=True))
 
 
@@ -97,11 +99,13 @@ def test_hardware_and_spec_agree_on_every_shape(rows):
     assert seen == {(fits, mode) for fits in (True, False) for mode in modes}
 
 
-@pytest.mark.parametrize("config", [CONFIG, SIGNED, RESIDUAL])
+@pytest.mark.parametrize("config", [CONFIG, SIGNED, RESIDUAL, BLOCKS, BOTH])
 def test_other_modes_are_refused(config):
     dut = ShapeDecoder(config)
     bits = [0] if config.input.signed else [0, 1 << 24]
-    bits += [bit | 1 << 25 for bit in bits] if config.residual_stream_bits else []
+    ends = [0] + [1 << 25] * bool(config.residual_stream_bits) + [1 << 27] * bool(config.partial_sum_c_in)
+    bits = [bit | end for bit in bits for end in ends]
+    bits += [bit | 1 << 26 for bit in bits] if config.partial_sum_c_in else []
     known = {mode | bit for mode in MODES for bit in bits}
     neighbours = {mode ^ 1 << bit for mode in known for bit in range(32)} | {0, 0x0100_0000, 0xFFFF_FFFF}
 

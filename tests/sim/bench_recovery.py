@@ -187,7 +187,7 @@ async def tlast_faults_are_named(dut):
         (len(bench.beats) + 2, Error.TLAST_MISSING),
     ):
         frame = np.resize(bench.beats, (count, bench.beats.shape[1]))
-        bench.transport.begin_stream = lambda _, beats_out, __, frame=frame: begin(frame, beats_out)
+        bench.transport.begin_stream = lambda _, beats_out, *__, frame=frame: begin(frame, beats_out)
         with pytest.raises(ArrayError, match=code.name) as caught:
             await bench.driver.run(bench.image)
         assert caught.value.code is code

@@ -98,7 +98,8 @@ def test_a_refused_layer_says_why():
     array = ArrayConfig(name="tiny", units=8, rows=2, drain=2, max_c_in=16, max_c_out=32, weight_depth=64)
     row = describe_layer(array, "big", "head", ConvSpec(64, 128, 8, 8))
     assert row["cycles"] is None
-    assert row["refused"] == "c_in must be at most 16, not 64; build an array with a larger max_c_in"
+    wanted = "c_in must be at most 16, not 64; build an array with a larger max_c_in, or with partial_sum_c_in = 64"
+    assert row["refused"] == wanted
 
 
 def test_pages(tmp_path, capsys):

@@ -35,13 +35,14 @@ class FakeArray:
         self.registers = dict.fromkeys(BY_NAME, 0)
         self.registers |= {
             "ID": 0x4D414352,
-            "VERSION": 0x20000,
+            "VERSION": 0x20001,
             "GEOMETRY": int(f"{array.drain:02x}{array.rows:02x}{array.units:04x}", 16),
             "FORMATS": int(f"{array.output.bits:02x}{array.input.bits:02x}{array.weight.bits:02x}", 16),
             "WEIGHT_DEPTH": array.weight_depth,
             "ROW_WORDS": array.row_words,
             "MAX_CHANNELS": int(f"{array.max_c_out:04x}{array.max_c_in:04x}", 16),
             "RESIDUAL": array.residual_stream_bits,
+            "PARTIAL_C_IN": array.partial_sum_c_in,
         }
         self.words: dict[tuple[int, int], list[int]] = {}
         self.fault = Error.NONE
@@ -242,6 +243,7 @@ def test_an_image_must_be_begun_before_it_ends():
         ({"row_words": 34}, "ROW_WORDS"),
         ({"max_c_in": 17}, "MAX_CHANNELS"),
         ({"max_c_out": 64}, "MAX_CHANNELS"),
+        ({"partial_sum_c_in": 64}, "PARTIAL_C_IN"),
     ],
 )
 def test_identify_names_what_differs(changes, register):

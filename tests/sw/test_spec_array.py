@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from macram.spec import BY_NAME, REGISTERS, ArrayConfig, ConvSpec, IntFormat, channel_passes, pass_specs
+from macram.spec import BY_NAME, REGISTERS, ArrayConfig, ConvSpec, IntFormat, layer_passes
 from macram.spec.registers import ADDRESS_BITS, ID_VALUE
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -200,15 +200,18 @@ def test_passes_cover_the_channels_and_fit_in_pairs_where_they_can():
         (8, 2500, 1, [512] * 4 + [452]),
     ):
         layer = ConvSpec(c_in, c_out, 8, 8, stride=stride)
-        parts = channel_passes(layer, array)
-        assert [len(part) for part in parts] == wanted
-        assert [channel for part in parts for channel in part] == list(range(c_out))
-        for spec in pass_specs(layer, array):
-            array.check_admits(spec)
+        passes = layer_passes(layer, array)
+        assert [len(part.c_out) for part in passes] == wanted
+        assert [channel for part in passes for channel in part.c_out] == list(range(c_out))
+        assert not any(part.sums_in or part.sums_out for part in passes)
+        for part in passes:
+            assert (part.layer.c_in, part.layer.c_out) == (c_in, len(part.c_out))
+            array.check_admits(part.layer)
     with pytest.raises(
-        ValueError, match="c_in must be at most 1024, not 1025; build an array with a larger max_c_in"
+        ValueError,
+        match="c_in must be at most 1024, not 1025; build an array with a larger max_c_in, or with",
     ):
-        channel_passes(ConvSpec(1025, 4096, 8, 8), array)
+        layer_passes(ConvSpec(1025, 4096, 8, 8), array)
 
 
 def test_border_terms_hold_half_the_range_times_all_outer_taps():

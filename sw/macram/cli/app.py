@@ -77,7 +77,8 @@ keys of the layer file (numpy.savez):
   input_signed, output_signed           optional: 1 if these codes are signed; 0 when absent
 
 More output channels than the array holds take several passes over the image; the next pass's weights
-load while the array computes. Signed input codes run on arrays of unsigned inputs with as many bits.
+load while the array computes. More input channels do so on arrays with partial_sum_c_in, for example
+configs/tiny-blocks.toml. Signed input codes run on arrays of unsigned inputs with as many bits.
 
 The array's simulator is built once per array and kept in ~/.cache/macram/sim ($XDG_CACHE_HOME is heeded),
 or in $MACRAM_BUILD_DIR/sim where that is set.

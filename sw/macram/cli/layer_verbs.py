@@ -9,7 +9,7 @@ from macram.cli.console import open_console
 from macram.cli.stages import Stages
 from macram.cli.traffic import traffic
 from macram.layer_job import array_for, run_layer_job, run_summary, write_run
-from macram.spec import ArrayConfig, ConvSpec, IntFormat, channel_passes
+from macram.spec import ArrayConfig, ConvSpec, IntFormat, layer_passes
 
 if TYPE_CHECKING:
     from macram.layer_file import LayerCase
@@ -42,12 +42,13 @@ def pack(arguments: argparse.Namespace) -> int:
 
     case, array = _case(arguments)
     passes = pack_passes(case, array)
+    first = passes[0].spec
     _folder(arguments)
     for index, packed in enumerate(passes):
         packed.write(arguments.out if len(passes) == 1 else arguments.out / f"pass_{index}")
     print(
         f"{case.spec.c_out} x {case.spec.fan_in} weights packed for array {array.name} into {arguments.out}"
-        + (f", in {len(passes)} passes of up to {passes[0].spec.c_out} channels" if len(passes) > 1 else "")
+        + (f", in {len(passes)} passes of up to {first.c_in} -> {first.c_out} channels" if passes[1:] else "")
     )
     return 0
 
@@ -91,7 +92,7 @@ def _case(arguments: argparse.Namespace) -> tuple[LayerCase, ArrayConfig]:
     try:
         if given is None:
             return case, array_for(case.spec)
-        channel_passes(case.spec, given)
+        layer_passes(case.spec, given)
     except ValueError as error:
         raise ValueError(f"{arguments.file}: {error}") from error
     return case, given

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from macram.designs.losses import LOSSES, lost_cycles
-from macram.perf import estimate, pixel_in_cycles, pixel_out_cycles
+from macram.perf import estimate_passes, pixel_in_cycles, pixel_out_cycles
 from macram.report.latency import REFERENCE
-from macram.spec import ArrayConfig, ConvSpec, pass_specs
+from macram.spec import ArrayConfig, ConvSpec
 
 CLOCK_HZ = 100_000_000
 """The clock of the paper's accelerator; all milliseconds are cycles at this clock."""
@@ -88,8 +88,8 @@ def describe_layer(
 ) -> dict[str, Any]:
     """One layer on one array; a layer that the array refuses has the reason in ``refused`` and no cycles.
 
-    The formats are the array's: only the shape of ``layer`` counts. Cycles are those of all passes over the output
-    channels together, without loads that do not hide behind a run.
+    The formats are the array's: only the shape of ``layer`` counts. Cycles are those of all passes
+    together, without loads that do not hide behind a run.
     """
     layer = dataclasses.replace(layer, weight=array.weight, input=array.input, output=array.output)
     row: dict[str, Any] = {
@@ -100,7 +100,7 @@ def describe_layer(
         "estimate": None, "simulated": None, "lost": None,
     }  # fmt: skip
     try:
-        passes = [estimate(part, array) for part in pass_specs(layer, array)]
+        passes = estimate_passes(layer, array)
     except ValueError as error:
         return row | {"refused": str(error)}
     total = sum(part.total for part in passes)

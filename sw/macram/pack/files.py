@@ -18,6 +18,7 @@ from macram.spec import ArrayConfig, ConvSpec, IntFormat, ceil_div, parse_format
 FORMAT, VERSION = "macram packed layer", 1
 MANIFEST = "manifest.json"
 SUFFIXES = (".mem", ".coe")
+ROLES = ("sums_in", "sums_out")
 
 
 def write_folder(
@@ -26,6 +27,7 @@ def write_folder(
     array: ArrayConfig,
     requantiser: str,
     memories: dict[str, tuple[Words, int]],
+    roles: dict[str, bool],
     *,
     comments: bool,
 ) -> None:
@@ -37,6 +39,7 @@ def write_folder(
         array: the array, for the manifest.
         requantiser: key of `BIT_ORDER` for the memory ``requant``.
         memories: name -> words ``[depth, bytes]`` and their width in bits.
+        roles: ``sums_in`` and ``sums_out`` of `macram.spec.LayerPass`, for the manifest.
         comments: begin each ``.mem`` file with the header.
 
     Raises:
@@ -63,6 +66,7 @@ def write_folder(
         "format": FORMAT,
         "version": VERSION,
         "layer": _plain(spec),
+        "roles": roles,
         "array": array.to_dict(),
         "requantiser": requantiser,
         "bit_order": {"unit_*": BIT_ORDER["weights"], "requant": BIT_ORDER[requantiser]},
@@ -79,8 +83,8 @@ def write_folder(
         raise ValueError(f"{folder}: cannot be written, {error.strerror}; choose another folder") from error
 
 
-def read_folder(folder: Path) -> tuple[ConvSpec, ArrayConfig, dict[str, Words]]:
-    """Inverse of `write_folder`: the layer, the array and every memory at full depth.
+def read_folder(folder: Path) -> tuple[ConvSpec, ArrayConfig, dict[str, Words], dict[str, bool]]:
+    """Inverse of `write_folder`: the layer, the array, every memory at full depth, and the roles.
 
     Raises:
         ValueError: one line naming the file and the fault.
@@ -95,6 +99,7 @@ def read_folder(folder: Path) -> tuple[ConvSpec, ArrayConfig, dict[str, Words]]:
             raise ValueError(f"is not a {FORMAT}, version {VERSION}; pack the layer again")
         spec, array = _spec(manifest["layer"]), ArrayConfig.from_dict(manifest["array"])
         sums = dict(manifest["sha256"])
+        roles = {name: bool(manifest["roles"][name]) for name in ROLES}
     except FileNotFoundError as error:
         raise ValueError(f"{path}: no such file; pack the layer into this folder first") from error
     except KeyError as error:
@@ -112,7 +117,7 @@ def read_folder(folder: Path) -> tuple[ConvSpec, ArrayConfig, dict[str, Words]]:
             memories[name] = words_from_mem(texts[f"{name}.mem"], width, depth)
         except ValueError as error:
             raise ValueError(f"{folder / name}.mem: {error}") from error
-    return spec, array, memories
+    return spec, array, memories, roles
 
 
 def hex_lines(words: Words, width: int) -> list[str]:

@@ -12,12 +12,12 @@ one less than j away from the output column, so with the kernel row ``w`` of the
 
 Requantiser. The word at address ``o * (units / drain) + d`` holds the channels ``o * units + d * drain + q``
 for q in 0..drain - 1, entry q at bit ``q * requant_entry_bits``. A threshold entry is the thresholds in
-ascending order, lowest first, each in the array's accumulator format, then the invert bit. A shift entry is
+ascending order, lowest first, each in the format of a whole layer's sums, then the invert bit. A shift entry is
 mult (18 bits), offset (48), shift (6), lowest first. On arrays of unsigned inputs both are followed by the left
 and the right border term (`macram.pack.signed`), and thresholds and offset allow for raised input codes.
 
 Channels that the layer does not have are weights 0, and requantiser entries that give the code 0: thresholds
-at the array accumulator's largest value, which no sum reaches, the lower half of them at its smallest value
+at the largest value of that format, which no sum reaches, the lower half of them at its smallest value
 if codes are signed; or mult, offset and shift 0.
 """
 
@@ -104,11 +104,11 @@ def pack_requant(requant: Requant, rise: Rise, array: ArrayConfig, words: int) -
         own = requant.thresholds + rise.total[:, None]
         thresholds = _absent_thresholds(array, channels)
         # What lies beyond the accumulator's range is reached by every sum or by none, like the end of the range.
-        thresholds[: len(own)] = own.clip(array.accumulator.lo, array.accumulator.hi)
+        thresholds[: len(own)] = own.clip(array.sum.lo, array.sum.hi)
         invert = _column(requant.invert, channels)
-        field_bits = array.thresholds * array.accumulator.bits
+        field_bits = array.thresholds * array.sum.bits
         parts = [
-            to_bits(thresholds, array.accumulator).reshape(channels, field_bits),
+            to_bits(thresholds, array.sum).reshape(channels, field_bits),
             to_bits(invert, IntFormat(1)),
         ]
     else:
@@ -134,10 +134,10 @@ def absent_requant(array: ArrayConfig, words: int) -> Words:
 
 
 def _absent_thresholds(array: ArrayConfig, channels: int) -> NDArray[np.int64]:
-    thresholds = np.full((channels, array.thresholds), array.accumulator.hi, np.int64)
+    thresholds = np.full((channels, array.thresholds), array.sum.hi, np.int64)
     if array.output.signed:
         # Code 0 lies half the range up.
-        thresholds[:, : -array.output.lo] = array.accumulator.lo
+        thresholds[:, : -array.output.lo] = array.sum.lo
     return thresholds
 
 
@@ -152,9 +152,9 @@ def unpack_requant(words: Words, rise: Rise, spec: ConvSpec, array: ArrayConfig)
     bits = words_to_bits(words, array.requant_word_bits).reshape(-1, array.requant_entry_bits)[: spec.c_out]
     reach = accumulator_range(spec.weight, spec.input, spec.fan_in)
     if array.thresholds:
-        invert = array.thresholds * array.accumulator.bits
-        fields = bits[:, :invert].reshape(spec.c_out, array.thresholds, array.accumulator.bits)
-        thresholds = from_bits(fields, array.accumulator) - rise.total[:, None]
+        invert = array.thresholds * array.sum.bits
+        fields = bits[:, :invert].reshape(spec.c_out, array.thresholds, array.sum.bits)
+        thresholds = from_bits(fields, array.sum) - rise.total[:, None]
         if array.biased(spec):
             thresholds = thresholds.clip(reach[0], reach[1] + 1)
         return ThresholdRequant(thresholds, bits[:, invert].astype(np.bool_), spec.output, reach)

@@ -22,7 +22,7 @@ from macram.pack.layout import (
     unpack_weights,
 )
 from macram.pack.signed import Rise
-from macram.spec import ArrayConfig, ConvSpec, channel_passes, words_to_beats
+from macram.spec import ArrayConfig, ConvSpec, LayerPass, layer_passes, words_to_beats
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +34,8 @@ class PackedLayer:
         array: the array it is packed for.
         weights: uint8 ``[units, weight_words, bytes]``, low byte first.
         requant: uint8 ``[requant_words, bytes]``, low byte first.
+        sums_in, sums_out: as of `macram.spec.LayerPass`, for a pass of a layer in blocks of input channels. What gives
+            sums has a requantiser that is not used.
 
     Raises:
         ValueError: the array does not admit the layer, or the number or size of the words does not fit.
@@ -43,10 +45,14 @@ class PackedLayer:
     array: ArrayConfig
     weights: Words
     requant: Words
+    sums_in: bool = False
+    sums_out: bool = False
 
     def __post_init__(self) -> None:
         array, spec = self.array, self.spec
         array.check_admits(spec)
+        if (self.sums_in or self.sums_out) and not array.partial_sum_c_in:
+            raise ValueError(f"array {array.name!r} has no partial sums; build one with partial_sum_c_in")
         for name, width, depth in (
             ("weights", array.weight_word_bits, (array.units, array.weight_words(spec))),
             ("requant", array.requant_word_bits, (array.requant_words(spec),)),
@@ -115,7 +121,8 @@ class PackedLayer:
         memories = {f"unit_{unit:03d}": (deep[unit], array.weight_word_bits) for unit in range(array.units)}
         rest = absent_requant(array, array.requant_depth - self.requant_words)
         memories["requant"] = (np.concatenate([self.requant, rest]), array.requant_word_bits)
-        write_folder(Path(folder), self.spec, array, self.requantiser, memories, comments=comments)
+        roles = {"sums_in": self.sums_in, "sums_out": self.sums_out}
+        write_folder(Path(folder), self.spec, array, self.requantiser, memories, roles, comments=comments)
 
 
 def pack_layer(case: LayerCase, array: ArrayConfig) -> PackedLayer:
@@ -126,27 +133,34 @@ def pack_layer(case: LayerCase, array: ArrayConfig) -> PackedLayer:
     """
     spec = case.spec
     array.check_admits(spec)
-    requant = derive_requant(spec, case.scale, case.offset)
-    return PackedLayer(
-        spec,
-        array,
-        pack_weights(case.weights, spec, array),
-        pack_requant(requant, Rise.of(case.weights, spec, array), array, array.requant_words(spec)),
-    )
+    whole = LayerPass(spec, range(spec.c_in), range(spec.c_out), sums_in=False, sums_out=False)
+    return _pack_pass(case, whole, array)
 
 
 def pack_passes(case: LayerCase, array: ArrayConfig) -> list[PackedLayer]:
-    """`pack_layer` of every pass over the output channels, see `macram.spec.channel_passes`.
+    """Every pass over parts of the output channels and blocks of the input's, see `macram.spec.layer_passes`.
 
     Raises:
         ValueError: the array does not admit even one tile of the layer; the line names the limit.
     """
-    parts = []
-    for channels in channel_passes(case.spec, array):
-        part = slice(channels.start, channels.stop)
-        spec = dataclasses.replace(case.spec, c_out=len(channels))
-        parts.append(LayerCase(spec, case.weights[part], case.input, case.scale[part], case.offset[part]))
-    return [pack_layer(part, array) for part in parts]
+    return [_pack_pass(case, part, array) for part in layer_passes(case.spec, array)]
+
+
+def _pack_pass(case: LayerCase, part: LayerPass, array: ArrayConfig) -> PackedLayer:
+    """Weights of the pass; the requantiser takes the sums of all input channels."""
+    channels = slice(part.c_out.start, part.c_out.stop)
+    weights = case.weights[channels]
+    words = array.requant_words(part.layer)
+    if part.sums_out:
+        requant = absent_requant(array, words)
+    else:
+        whole = dataclasses.replace(part.layer, c_in=case.spec.c_in)
+        rule = derive_requant(whole, case.scale[channels], case.offset[channels])
+        requant = pack_requant(rule, Rise.of(weights, whole, array), array, words)
+    block = weights[:, part.c_in.start : part.c_in.stop]
+    return PackedLayer(
+        part.layer, array, pack_weights(block, part.layer, array), requant, part.sums_in, part.sums_out
+    )
 
 
 def unpack(packed: PackedLayer) -> tuple[NDArray[np.int64], ThresholdRequant | ShiftRequant]:
@@ -156,9 +170,11 @@ def unpack(packed: PackedLayer) -> tuple[NDArray[np.int64], ThresholdRequant | S
     `pack_layer` for every sum that the weights can give.
 
     Raises:
-        ValueError: the words hold requantiser parameters that no layer can have.
+        ValueError: the words hold requantiser parameters that no layer can have, or are one block of a layer.
     """
     spec, array = packed.spec, packed.array
+    if packed.sums_in or packed.sums_out:
+        raise ValueError("one block of a layer has no requantiser to its weights; unpack whole layers")
     weights = unpack_weights(packed.weights, spec, array)
     rise = Rise.of(weights, spec, array)
     for name, found, wanted in zip(
@@ -176,7 +192,7 @@ def read_packed(folder: Path) -> PackedLayer:
         ValueError: one line naming the file: missing, changed, not listed, or not what the manifest says.
     """
     folder = Path(folder)
-    spec, array, memories = read_folder(folder)
+    spec, array, memories, roles = read_folder(folder)
     weights = np.stack([memories[f"unit_{unit:03d}"] for unit in range(array.units)])
     try:
         return PackedLayer(
@@ -184,6 +200,7 @@ def read_packed(folder: Path) -> PackedLayer:
             array,
             np.ascontiguousarray(weights[:, : array.weight_words(spec)]),
             np.ascontiguousarray(memories["requant"][: array.requant_words(spec)]),
+            **roles,
         )
     except ValueError as error:
         raise ValueError(f"{folder}: {error}") from error

@@ -11,10 +11,11 @@ from macram.spec.array import (
 )
 from macram.spec.formats import IntFormat, ceil_div, parse_format, signed_format_for
 from macram.spec.layer import ConvSpec, accumulator_format, accumulator_range
-from macram.spec.passes import channel_passes, pass_specs
+from macram.spec.passes import LayerPass, layer_passes
 from macram.spec.place import BOTTOM, TOP, Place, fit_together
 from macram.spec.registers import BY_NAME, REGISTERS, Control, Error, Register, Status
 from macram.spec.stream import StreamLayout, words_to_beats
+from macram.spec.sums import SumLayout
 
 __all__ = [
     "BOTTOM",
@@ -32,17 +33,18 @@ __all__ = [
     "ConvSpec",
     "Error",
     "IntFormat",
+    "LayerPass",
     "Place",
     "Register",
     "Status",
     "StreamLayout",
+    "SumLayout",
     "accumulator_format",
     "accumulator_range",
     "ceil_div",
-    "channel_passes",
     "fit_together",
+    "layer_passes",
     "parse_format",
-    "pass_specs",
     "signed_format_for",
     "words_to_beats",
 ]

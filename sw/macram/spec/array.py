@@ -29,6 +29,8 @@ RESIDUAL = IntFormat(8)
 """Codes of a residual stream."""
 MAX_BRANCH_BITS = 3
 """Most bits of the codes that the residual adder takes: its table lies in registers."""
+MAX_SUM_CHANNELS = 1 << 16
+"""Most input channels of a layer in blocks: at 8 bits their sums have 37 bits."""
 MAX_SIDE = 0xFFFF
 """Largest height and width of an image."""
 ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4, "dsp48e2_2x": 5, "soft": 1}
@@ -62,6 +64,8 @@ class ArrayConfig:
         residual_stream_bits: TDATA width of the two streams of the residual adder; 0 leaves it out. It takes
             unsigned output codes of up to 3 bits.
         soft_rows: so many row engines of each unit, the last ones, are ``soft`` instead.
+        partial_sum_c_in: input channels of a layer that is run in blocks of channels, whose sums leave the array
+            unrounded and come back for the next block; 0 leaves that out.
 
     Raises:
         ValueError: a field is out of range or two fields do not fit together.
@@ -83,6 +87,7 @@ class ArrayConfig:
     engine: str = "portable"
     residual_stream_bits: int = 0
     soft_rows: int = 0
+    partial_sum_c_in: int = 0
 
     def __post_init__(self) -> None:
         limits = {
@@ -142,6 +147,11 @@ class ArrayConfig:
             raise ValueError(f"row_words must be a multiple of ingest = {self.ingest}, not {self.row_words}")
         if self.max_c_out % self.units:
             raise ValueError(f"max_c_out must be a multiple of units = {self.units}, not {self.max_c_out}")
+        if self.partial_sum_c_in and not self.max_c_in <= self.partial_sum_c_in <= MAX_SUM_CHANNELS:
+            raise ValueError(
+                f"partial_sum_c_in must be 0 or in {self.max_c_in}..{MAX_SUM_CHANNELS} (from max_c_in), not "
+                f"{self.partial_sum_c_in}"
+            )
 
     # ---- derived widths -------------------------------------------------------------------------
 
@@ -149,6 +159,26 @@ class ArrayConfig:
     def accumulator(self) -> IntFormat:
         """Format of every accumulator: exact for ``9 * max_c_in`` products."""
         return accumulator_format(self.weight, self.input, TAPS * TAPS * self.max_c_in)
+
+    @property
+    def whole_c_in(self) -> int:
+        """Input channels of the largest layer: of one run, or of all its blocks where they can be added up."""
+        return self.partial_sum_c_in or self.max_c_in
+
+    @property
+    def sum(self) -> IntFormat:
+        """Format of a whole layer's sums, which the requantiser takes: exact for ``9 * whole_c_in`` products."""
+        return accumulator_format(self.weight, self.input, TAPS * TAPS * self.whole_c_in)
+
+    @property
+    def sum_word_beats(self) -> int:
+        """Stream beats of a word of ``4 * drain`` partial sums, each of them whole bytes."""
+        return ceil_div(GROUP * self.drain * self.sum_field_bits, self.stream_bits)
+
+    @property
+    def sum_field_bits(self) -> int:
+        """Bits of a partial sum on a stream: whole bytes."""
+        return 8 * ceil_div(self.sum.bits, 8)
 
     @property
     def weight_word_bits(self) -> int:
@@ -179,7 +209,7 @@ class ArrayConfig:
         """
         if self.input.signed:
             return None
-        half, count = 1 << (self.input.bits - 1), TAPS * self.max_c_in
+        half, count = 1 << (self.input.bits - 1), TAPS * self.whole_c_in
         return signed_format_for(half * count * self.weight.lo, half * count * self.weight.hi)
 
     @property
@@ -187,7 +217,7 @@ class ArrayConfig:
         """Bits of one channel's requantiser parameters, border terms included."""
         borders = 2 * self.border.bits if self.border else 0
         if self.thresholds:
-            return self.thresholds * self.accumulator.bits + 1 + borders
+            return self.thresholds * self.sum.bits + 1 + borders
         return MULT_BITS + OFFSET_BITS + SHIFT_BITS + borders
 
     @property
@@ -298,7 +328,8 @@ class ArrayConfig:
             )
         if layer.c_in > self.max_c_in:
             raise ValueError(
-                f"c_in must be at most {self.max_c_in}, not {layer.c_in}; build an array with a larger max_c_in"
+                f"c_in must be at most {self.max_c_in}, not {layer.c_in}; build an array with a larger max_c_in, "
+                f"or with partial_sum_c_in = {layer.c_in}"
             )
         if layer.c_out > self.max_c_out:
             raise ValueError(f"c_out must be at most {self.max_c_out}, not {layer.c_out}")
@@ -308,13 +339,13 @@ class ArrayConfig:
         if words > self.weight_depth:
             raise ValueError(
                 f"{layer.c_in} -> {layer.c_out} channels need {words} weight words per unit, "
-                f"the array has {self.weight_depth}; split the output channels"
+                f"the array has {self.weight_depth}; split the output channels, or set partial_sum_c_in"
             )
         row = self.line_words(layer)
         if row > self.row_words:
             raise ValueError(
                 f"a row of {layer.width} pixels x {layer.c_in} channels needs {row} line-buffer words, "
-                f"the array has {self.row_words}; split the width"
+                f"the array has {self.row_words}; split the width, or set partial_sum_c_in"
             )
 
     # ---- files ----------------------------------------------------------------------------------

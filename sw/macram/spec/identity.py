@@ -22,4 +22,5 @@ def identity(array: ArrayConfig) -> dict[str, int]:
         "ROW_WORDS": array.row_words,
         "MAX_CHANNELS": array.max_c_in | array.max_c_out << 16,
         "RESIDUAL": array.residual_stream_bits,
+        "PARTIAL_C_IN": array.partial_sum_c_in,
     }

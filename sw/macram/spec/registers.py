@@ -48,24 +48,37 @@ class Error(IntEnum):
 
 
 ID_VALUE = 0x4D41_4352
-VERSION_VALUE = 0x0002_0000
+VERSION_VALUE = 0x0002_0001
 MODE_3X3 = 0x0001_0103
 """MODE of a 3x3 kernel with stride 1 and padding 1, see `mode_word`."""
 
 
-MODE_BIASED, MODE_RESIDUAL = 24, 25
-"""Bits of MODE: signed codes on unsigned inputs; the residual adder is in use."""
+MODE_BIASED, MODE_RESIDUAL, MODE_SUMS_IN, MODE_SUMS_OUT = 24, 25, 26, 27
+"""Bits of MODE: signed codes on unsigned inputs; the residual adder is in use; the run starts from partial sums,
+which come on the parameter stream; it leaves partial sums instead of codes."""
 
 
-def mode_word(kernel: int, stride: int, padding: int, *, biased: bool = False, residual: bool = False) -> int:
-    """Value of MODE: kernel in bits 7:0, stride in 15:8, padding in 23:16, `MODE_BIASED`, `MODE_RESIDUAL`."""
-    return kernel | stride << 8 | padding << 16 | biased << MODE_BIASED | residual << MODE_RESIDUAL
+def mode_word(
+    kernel: int,
+    stride: int,
+    padding: int,
+    *,
+    biased: bool = False,
+    residual: bool = False,
+    sums_in: bool = False,
+    sums_out: bool = False,
+) -> int:
+    """Value of MODE: kernel in bits 7:0, stride in 15:8, padding in 23:16, and the bits ``MODE_...``."""
+    bits = biased << MODE_BIASED | residual << MODE_RESIDUAL
+    bits |= sums_in << MODE_SUMS_IN | sums_out << MODE_SUMS_OUT
+    return kernel | stride << 8 | padding << 16 | bits
 
 
 MODES: tuple[int, ...] = tuple(
     mode_word(kernel, stride, kernel // 2) for kernel in (1, 3) for stride in (1, 2)
 )
-"""What an array runs. `MODE_BIASED` is for arrays of unsigned inputs, `MODE_RESIDUAL` for those with the adder."""
+"""What an array runs. `MODE_BIASED` is for arrays of unsigned inputs, `MODE_RESIDUAL` for those with the adder,
+`MODE_SUMS_IN` and `MODE_SUMS_OUT` for those with partial sums; the residual sum needs codes, not `MODE_SUMS_OUT`."""
 
 REGISTERS: tuple[Register, ...] = (
     Register("ID", 0x00, "RO", ID_VALUE, "ASCII 'MACR'"),
@@ -82,7 +95,7 @@ REGISTERS: tuple[Register, ...] = (
         0x24,
         "RW",
         MODE_3X3,
-        "kernel 7:0, stride 15:8, padding 23:16, signed input codes 24, residual sum 25",
+        "kernel 7:0, stride 15:8, padding 23:16, signed input codes 24, residual sum 25, partial sums in 26, out 27",
     ),
     Register("PARAM_WORDS", 0x28, "RW", 0, "words to load: per unit for weights, in all for the requantiser"),
     Register("CYCLES", 0x2C, "RO", 0, "first accepted input beat to last output beat, both counted"),
@@ -104,6 +117,7 @@ REGISTERS: tuple[Register, ...] = (
     Register("RESIDUAL_TABLE1", 0x6C, "RW", 0, "what codes 4 to 7 add"),
     Register("RESIDUAL_BOUNDS0", 0x70, "RW", 0, "next codes 1 to 4: the sums that they exceed, a byte each"),
     Register("RESIDUAL_BOUNDS1", 0x74, "RW", 0, "next codes 5 to 7"),
+    Register("PARTIAL_C_IN", 0x78, "RO", 0, "input channels of a layer in blocks, 0 without partial sums"),
 )
 
 LOAD_REGISTERS = frozenset({"PARAM_WORDS", "PARAM_BASE"})
