@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from macram.spec import GROUP, RESIDUAL, ArrayConfig, ConvSpec, IntFormat, StreamLayout, ceil_div
+from macram.spec import GROUP, RESIDUAL, TAPS, ArrayConfig, ConvSpec, IntFormat, StreamLayout, ceil_div
+from macram.spec.array import DECISION_TO_RESULT
 
-DECISION_TO_RESULT = 5
-"""Cycles from the decision of a compute step to its sum in the result registers, without the row engine's."""
 RESULT_TO_OUTPUT = 5
 """Cycles from the last drained word to the first word in the output gearbox."""
 RESIDUAL_LATENCY = 2
@@ -26,9 +25,10 @@ class CycleEstimate:
 
     Attributes:
         fill: before the first compute step: pixels for one row and one group more must arrive.
-        mac: compute steps, ``out_height * groups * tiles * kernel * phases * blocks``.
-        stall: between compute steps. If a sum has fewer steps than it takes to drain, the drain is waited for; if
-            a stream is the limit, that stream. The array books a wait under the first cause it meets, so only the
+        mac: compute steps, ``out_height * groups * tiles * kernel * phases * blocks``; three tiles that are computed
+            together count as two.
+        stall: between compute steps. If a sum has fewer steps than it takes to drain, the drain is waited for, and a
+            sum of three tiles always takes one cycle more; if a stream is the limit, that stream. The array books a wait under the first cause it meets, so only the
             sum of INPUT_STALLS and OUTPUT_STALLS is foretold.
         drain: after the last compute step.
         limited_by: ``"compute"``, or ``"input"``/``"output"`` if a stream is slower than the engines.
@@ -77,16 +77,23 @@ def estimate(layer: ConvSpec, array: ArrayConfig, *, residual: bool = False) -> 
     fill = pixel_in * pixels_needed + WRITTEN_TO_DECISION - (pixels_needed == pixels)
 
     to_result = DECISION_TO_RESULT + array.engine_latency
-    drain_period = max(array.drain_cycles, to_result + 1)
-    period = max(steps, drain_period)
+    drain_period = array.drain_period
+    period, pair_period = max(steps, drain_period), max(steps + 1, array.pair_drain)
     out_groups = layer.out_height * groups
-    sums = out_groups * tiles
-    mac = sums * steps
-    stall = (sums - 1) * (period - steps)
+    # Of three tiles that are computed together each sum is one of two pixels.
+    triples = array.triples(layer)
+    pairs, singles = 2 * triples, tiles - TAPS * triples
+    last_period = period if singles else pair_period
+    group_period = pairs * pair_period + singles * period
+    mac = out_groups * (pairs + singles) * steps
+    stall = out_groups * group_period - mac - (last_period - steps)
 
     adder = RESIDUAL_LATENCY if array.residual_stream_bits else 0
     to_output = to_result + array.drain_cycles + RESULT_TO_OUTPUT + adder
-    if tail:
+    if triples:
+        rounds = 0 if singles else drain_period + array.drain_cycles
+        drain = to_output + rounds + (tail or GROUP) * pixel_out
+    elif tail:
         # The last group's reading: the first of its slots is skipped if the row has no group before it.
         drain = to_output + (groups == 1) + (tail + (groups > 1)) * pixel_out
     else:
@@ -102,8 +109,8 @@ def estimate(layer: ConvSpec, array: ArrayConfig, *, residual: bool = False) -> 
     waits_for_row = rows_above and (layer.stride == 1 or layer.height % 2)
     groups_after = groups * bool(waits_for_row) + (layer.stride == 1 or not waits_for_row)
     limits = {
-        "input": pixel_in * rows_used * layer.width + groups_after * tiles * period + drain,
-        "output": fill + (tiles - 1) * period + steps + to_output + pixels_out * pixel_out,
+        "input": pixel_in * rows_used * layer.width + groups_after * group_period + drain,
+        "output": fill + group_period - last_period + steps + to_output + pixels_out * pixel_out,
     }
     group_cycles = {"input": group_in * layer.stride * pixel_in, "output": GROUP * pixel_out}
     limited_by = "compute"
@@ -111,7 +118,7 @@ def estimate(layer: ConvSpec, array: ArrayConfig, *, residual: bool = False) -> 
         # The last row may lack the late one.
         limited_by = "input"
         limits["input"] = max(limits["input"], compute + late * (layer.height // 2 - 1))
-    elif out_groups > 1 and max(group_cycles.values()) > tiles * period:
+    elif out_groups > 1 and max(group_cycles.values()) > group_period:
         limited_by = max(group_cycles, key=lambda stream: group_cycles[stream])
     total = max(compute, limits.get(limited_by, 0))
     return CycleEstimate(fill, mac, total - fill - mac - drain, drain, limited_by)
