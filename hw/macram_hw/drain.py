@@ -77,10 +77,8 @@ class Drain(wiring.Component):
         waiting, current, info = (
             Signal(GroupInfo(config), name=n) for n in ("waiting", "current", "info_now")
         )
-        begin, active, last_cycle, group_last_cycle = (
-            Signal(name=n) for n in ("begin", "active", "last_cycle", "group_last_cycle")
-        )
-        group_start, round_last = Signal(), Signal()
+        begin, active, last_cycle = Signal(), Signal(), Signal()
+        group_start, round_last, group_last_cycle = Signal(), Signal(), Signal()
         m.d.comb += [
             group_start.eq((waiting.tile == 0) & ~waiting.inner & ~waiting.unloaded),
             begin.eq(pending & ~busy & (~group_start | ~occupied.bit_select(section, 1))),
@@ -164,9 +162,7 @@ class Drain(wiring.Component):
 
         # ---- codes of a triple's outer two pixels wait for the inner two ---------------------------------
         lane_bits = config.drain * config.output.bits
-        m.submodules.outer = outer = memory.Memory(
-            shape=2 * lane_bits, depth=TAPS << index_bits, init=[]
-        )
+        m.submodules.outer = outer = memory.Memory(shape=2 * lane_bits, depth=TAPS << index_bits, init=[])
         keep, kept = outer.write_port(), outer.read_port(domain="comb")
         codes = [requant.codes[slot * lane_bits : (slot + 1) * lane_bits] for slot in range(GROUP)]
         outer_left, outer_right = kept.data[:lane_bits], kept.data[lane_bits:]

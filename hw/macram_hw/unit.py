@@ -146,9 +146,7 @@ class UnitCore(wiring.Component):
             m.d.sync += [result[slot].eq(Mux(done, totals[slot], self.chain_i[slot])) for slot in (1, 2)]
         with m.If(done | self.shift | control.unload):
             m.d.sync += [
-                result[slot].eq(
-                    Mux(done, totals[slot], Mux(control.unload, value, self.chain_i[slot]))
-                )
+                result[slot].eq(Mux(done, totals[slot], Mux(control.unload, value, self.chain_i[slot])))
                 for slot, value in zip((0, GROUP - 1), stored, strict=True)
             ]
         m.d.comb += self.chain_o.eq(result)

@@ -114,11 +114,13 @@ def estimate(layer: ConvSpec, array: ArrayConfig, *, residual: bool = False) -> 
     }
     group_cycles = {"input": group_in * layer.stride * pixel_in, "output": GROUP * pixel_out}
     limited_by = "compute"
+    # Behind a triple the cycle for its carried lanes falls into the next group, which so asks for pixels before that.
+    early = not singles
     if late := _late_row_cycles(layer, array, period):
         # The last row may lack the late one.
         limited_by = "input"
         limits["input"] = max(limits["input"], compute + late * (layer.height // 2 - 1))
-    elif out_groups > 1 and max(group_cycles.values()) > group_period:
+    elif out_groups > 1 and max(group_cycles.values()) > group_period - early:
         limited_by = max(group_cycles, key=lambda stream: group_cycles[stream])
     total = max(compute, limits.get(limited_by, 0))
     return CycleEstimate(fill, mac, total - fill - mac - drain, drain, limited_by)
