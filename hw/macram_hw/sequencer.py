@@ -186,8 +186,8 @@ class Sequencer(wiring.Component):
         with m.If(self.start):
             m.d.sync += [
                 row.eq(0), group.eq(0), tile.eq(0), kernel_row.eq(0), odd.eq(0), block.eq(0),
-                inner.eq(0), unload_due.eq(0), flushing.eq(0), group_base.eq(0), weight.eq(self.weight_base), self.busy.eq(1),
-                credits.eq(1), self.retire.eq(0), self.retire_row.eq(0),
+                inner.eq(0), unload_due.eq(0), flushing.eq(0), group_base.eq(0), weight.eq(self.weight_base),
+                self.busy.eq(1), credits.eq(1), self.retire.eq(0), self.retire_row.eq(0),
                 ahead.eq(Mux((shape.height == 1) | shape.pointwise, 0, -shape.groups)),
             ]  # fmt: skip
 

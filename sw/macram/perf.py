@@ -27,9 +27,9 @@ class CycleEstimate:
         fill: before the first compute step: pixels for one row and one group more must arrive.
         mac: compute steps, ``out_height * groups * tiles * kernel * phases * blocks``; three tiles that are computed
             together count as two.
-        stall: between compute steps. If a sum has fewer steps than it takes to drain, the drain is waited for, and a
-            sum of three tiles always takes one cycle more; if a stream is the limit, that stream. The array books a wait under the first cause it meets, so only the
-            sum of INPUT_STALLS and OUTPUT_STALLS is foretold.
+        stall: between compute steps. If a sum has fewer steps than it takes to drain, the drain is waited for; a sum
+            of three tiles always takes one cycle more. If a stream is the limit, that stream. The array books a wait
+            under the first cause it meets, so only the sum of INPUT_STALLS and OUTPUT_STALLS is foretold.
         drain: after the last compute step.
         limited_by: ``"compute"``, or ``"input"``/``"output"`` if a stream is slower than the engines.
     """

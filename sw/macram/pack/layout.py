@@ -10,9 +10,9 @@ one less than j away from the output column, so with the kernel row ``w`` of the
 - 3x3, stride 2: phase 0, the even pixels, ``0, w[1], 0``; phase 1, the odd pixels, ``0, w[2], w[0]``;
 - 1x1 (one phase): ``0, w[0], 0``.
 
-Where three tiles of a 1x1 kernel are computed together (`ArrayConfig.triples`), field j is that of tile ``3 t + j`` in the
-word at ``t * blocks + cb``, t counting triples. A tile that is left over has its ``w[0]`` in field 0, the words behind those of
-the triples and of the tiles before it.
+Where three tiles of a 1x1 kernel are computed together (`ArrayConfig.triples`), field j is the ``w[0]`` of tile
+``3 t + j`` in the word at ``t * blocks + cb``, t counting triples. A tile that is left over has its ``w[0]`` in
+field 0; its words lie behind those of the triples and of the tiles before it.
 
 Requantiser. The word at address ``o * (units / drain) + d`` holds the channels ``o * units + d * drain + q``
 for q in 0..drain - 1, entry q at bit ``q * requant_entry_bits``. A threshold entry is the thresholds in
@@ -44,8 +44,8 @@ BIT_ORDER = {
         "word ((o * kernel + ky) * phases + phase) * blocks + cb, field j of row engine r at bit "
         "(r * 3 + j) * weight_bits, two's complement; with w = weights[o * units + u, cb * rows + r, ky] the "
         "fields are w[2] w[1] w[0]; for 3x3 with stride 2 0 w[1] 0 in phase 0 and 0 w[2] w[0] in phase 1; "
-        "for 1x1 0 w[0] 0; in triples of 1x1 tiles field j belongs to tile 3 * t + j at word t * blocks + cb, and tiles "
-        "left over follow with w[0] in field 0"
+        "for 1x1 0 w[0] 0; of 1x1 tiles in threes field j of word t * blocks + cb is w[0] of tile 3 * t + j, "
+        "and tiles left over follow with w[0] 0 0"
     ),
     "threshold": (
         "word o * (units / drain) + d holds channels o * units + d * drain + q, entry q at bit "
