@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -242,7 +243,7 @@ def test_passes_in_threes_fit_in_pairs_where_they_can(c_in):
         specs = pass_specs(layer, array)
         for spec in specs:
             array.check_admits(spec)
-        for one, other in zip(specs, specs[1:], strict=False):
+        for one, other in pairwise(specs):
             if c_in < 1024:
                 assert array.weight_words(one) + array.weight_words(other) <= array.weight_depth
                 assert array.requant_words(one) + array.requant_words(other) <= array.requant_depth
