@@ -160,7 +160,7 @@ class Drain(wiring.Component):
             at = stage
         put_address, put_lane, put_en, group_complete, put_slots, put_image_last, place, triple, inner = at
 
-        # ---- codes of a triple's outer two pixels wait for the inner two ---------------------------------
+        # ---- codes of a triple's outer two pixels wait for the inner two, and are put together with them -
         lane_bits = config.drain * config.output.bits
         m.submodules.outer = outer = memory.Memory(shape=2 * lane_bits, depth=TAPS << index_bits, init=[])
         keep, kept = outer.write_port(), outer.read_port(domain="comb")
@@ -175,7 +175,7 @@ class Drain(wiring.Component):
             pixels.eq(Mux(triple, Cat(outer_left, codes[0], codes[-1], outer_right), requant.codes)),
             put.addr.eq(put_address),
             put.data.eq(pixels.replicate(GROUP)),
-            put.en.eq(Mux(put_en & (inner | ~triple), 1 << put_lane, 0)),
+            put.en.eq(Mux(put_en, 1 << put_lane, 0)),
         ]
 
         # ---- read in pixel order ------------------------------------------------------------------------

@@ -140,8 +140,8 @@ def run_images(bench, images=2):
 @pytest.mark.parametrize(
     ("shape", "stride", "signed", "gap", "stall"),
     [
-        ((14, 12, 2, 8), 1, False, 0.0, 0.0),
-        ((13, 15, 3, 6), 1, True, 0.0, 0.0),
+        ((14, 12, 2, 6), 1, False, 0.0, 0.0),
+        ((13, 15, 3, 8), 1, True, 0.0, 0.0),
         ((14, 11, 4, 7), 2, True, 0.3, 0.4),
     ],
 )
