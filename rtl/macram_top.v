@@ -171,7 +171,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .cycles(cycles),
     .done(done),
     .drain_cycles(drain_cycles),
-    .\error$638 (error),
+    .\error$642 (error),
     .fill_cycles(fill_cycles),
     .height(height),
     .\i__payload$6 (params__payload),
@@ -187,7 +187,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .\o__valid$16 (m_axis_tvalid),
     .output_stalls(output_stalls),
     .params__ready(s_axis_param_tready),
-    .\port$1218$0 (command),
+    .\port$1314$0 (command),
     .requant_base(requant_base),
     .rst(rst),
     .weight_base(weight_base),
@@ -228,8 +228,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .output_stalls(output_stalls),
     .param_base(param_base),
     .param_words(words),
-    .\port$1272$0 (done),
-    .\port$1278$0 (error),
+    .\port$1368$0 (done),
+    .\port$1374$0 (error),
     .\port$2$0 (\$1 ),
     .requant_base(requant_base),
     .rst(rst),
@@ -305,7 +305,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy, \i__ready$64 , \o__valid$16 , \i__payload$62 , \i__payload$6 , \port$1218$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$638 
+module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy, \i__ready$64 , \o__valid$16 , \i__payload$62 , \i__payload$6 , \port$1314$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$642 
 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$12 , params__ready, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
@@ -331,12 +331,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire \$28 ;
   wire \$29 ;
   wire \$3 ;
-  wire [3:0] \$30 ;
+  wire \$30 ;
   wire [3:0] \$31 ;
-  wire \$32 ;
+  wire [3:0] \$32 ;
   wire \$33 ;
-  wire [2:0] \$34 ;
-  wire \$35 ;
+  wire \$34 ;
+  wire [2:0] \$35 ;
   wire \$36 ;
   wire \$37 ;
   wire \$38 ;
@@ -345,40 +345,41 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire \$40 ;
   wire \$41 ;
   wire \$42 ;
-  wire [32:0] \$43 ;
-  wire \$44 ;
+  wire \$43 ;
+  wire [32:0] \$44 ;
   wire \$45 ;
   wire \$46 ;
-  wire [32:0] \$47 ;
+  wire \$47 ;
   wire [32:0] \$48 ;
   wire [32:0] \$49 ;
   wire \$5 ;
   wire [32:0] \$50 ;
   wire [32:0] \$51 ;
-  reg \$52 ;
-  reg [1:0] \$53 ;
-  reg \$54 ;
+  wire [32:0] \$52 ;
+  reg \$53 ;
+  reg [1:0] \$54 ;
   reg \$55 ;
   reg \$56 ;
-  reg [2:0] \$57 ;
-  reg [7:0] \$58 ;
-  reg [7:0] \$59 ;
+  reg \$57 ;
+  reg [2:0] \$58 ;
+  reg [9:0] \$59 ;
   wire [10:0] \$6 ;
-  reg [7:0] \$60 ;
-  reg [7:0] \$61 ;
-  reg \$62 ;
+  reg [9:0] \$60 ;
+  reg [9:0] \$61 ;
+  reg [9:0] \$62 ;
   reg \$63 ;
   reg \$64 ;
-  reg [31:0] \$65 ;
+  reg \$65 ;
   reg [31:0] \$66 ;
   reg [31:0] \$67 ;
   reg [31:0] \$68 ;
   reg [31:0] \$69 ;
   wire [10:0] \$7 ;
   reg [31:0] \$70 ;
-  wire [9:0] \$71 ;
-  wire [7:0] \$72 ;
-  wire [671:0] \$73 ;
+  reg [31:0] \$71 ;
+  wire [9:0] \$72 ;
+  wire [7:0] \$73 ;
+  wire [671:0] \$74 ;
   wire \$8 ;
   wire [31:0] \$9 ;
   wire \$signal ;
@@ -393,9 +394,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   (* enum_value_101 = "BAD_COMMAND" *)
   (* enum_value_110 = "BAD_RANGE" *)
   reg [2:0] \$signal$54 ;
-  wire \$signal$630 ;
-  reg \$signal$631  = 1'h0;
-  reg \$signal$649  = 1'h0;
+  wire \$signal$634 ;
+  reg \$signal$635  = 1'h0;
+  reg \$signal$653  = 1'h0;
   wire [95:0] activations;
   wire [95:0] \activations$133 ;
   wire [95:0] \activations$142 ;
@@ -457,9 +458,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire [95:0] \activations$592 ;
   wire [95:0] \activations$600 ;
   wire [95:0] \activations$608 ;
-  wire [95:0] \activations$614 ;
-  wire [95:0] \activations$620 ;
-  wire [95:0] \activations$626 ;
+  wire [95:0] \activations$615 ;
+  wire [95:0] \activations$622 ;
+  wire [95:0] \activations$629 ;
   wire [9:0] address;
   wire [9:0] \address$130 ;
   wire [9:0] \address$139 ;
@@ -521,9 +522,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire [9:0] \address$589 ;
   wire [9:0] \address$597 ;
   wire [9:0] \address$605 ;
-  wire [9:0] \address$611 ;
-  wire [9:0] \address$617 ;
-  wire [9:0] \address$623 ;
+  wire [9:0] \address$612 ;
+  wire [9:0] \address$619 ;
+  wire [9:0] \address$626 ;
   input [31:0] base;
   wire [31:0] base;
   wire [15:0] beats;
@@ -835,6 +836,26 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire [18:0] \chain_i$603[1] ;
   wire [18:0] \chain_i$603[2] ;
   wire [18:0] \chain_i$603[3] ;
+  wire [75:0] \chain_i$611 ;
+  wire [18:0] \chain_i$611[0] ;
+  wire [18:0] \chain_i$611[1] ;
+  wire [18:0] \chain_i$611[2] ;
+  wire [18:0] \chain_i$611[3] ;
+  wire [75:0] \chain_i$618 ;
+  wire [18:0] \chain_i$618[0] ;
+  wire [18:0] \chain_i$618[1] ;
+  wire [18:0] \chain_i$618[2] ;
+  wire [18:0] \chain_i$618[3] ;
+  wire [75:0] \chain_i$625 ;
+  wire [18:0] \chain_i$625[0] ;
+  wire [18:0] \chain_i$625[1] ;
+  wire [18:0] \chain_i$625[2] ;
+  wire [18:0] \chain_i$625[3] ;
+  wire [75:0] \chain_i$632 ;
+  wire [18:0] \chain_i$632[0] ;
+  wire [18:0] \chain_i$632[1] ;
+  wire [18:0] \chain_i$632[2] ;
+  wire [18:0] \chain_i$632[3] ;
   wire [18:0] \chain_i[0] ;
   wire [18:0] \chain_i[1] ;
   wire [18:0] \chain_i[2] ;
@@ -1162,478 +1183,614 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   input clk;
   wire clk;
   wire [2:0] command;
-  reg [7:0] control = 8'h00;
-  (* init = 8'h00 *)
-  wire [7:0] \control$134 ;
+  reg [9:0] control = 10'h000;
+  (* init = 10'h000 *)
+  wire [9:0] \control$134 ;
+  wire \control$134.carried ;
   wire \control$134.edge ;
   wire \control$134.en ;
   wire \control$134.first ;
   wire \control$134.last ;
   wire [3:0] \control$134.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$143 ;
+  wire \control$134.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$143 ;
+  wire \control$143.carried ;
   wire \control$143.edge ;
   wire \control$143.en ;
   wire \control$143.first ;
   wire \control$143.last ;
   wire [3:0] \control$143.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$152 ;
+  wire \control$143.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$152 ;
+  wire \control$152.carried ;
   wire \control$152.edge ;
   wire \control$152.en ;
   wire \control$152.first ;
   wire \control$152.last ;
   wire [3:0] \control$152.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$161 ;
+  wire \control$152.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$161 ;
+  wire \control$161.carried ;
   wire \control$161.edge ;
   wire \control$161.en ;
   wire \control$161.first ;
   wire \control$161.last ;
   wire [3:0] \control$161.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$169 ;
+  wire \control$161.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$169 ;
+  wire \control$169.carried ;
   wire \control$169.edge ;
   wire \control$169.en ;
   wire \control$169.first ;
   wire \control$169.last ;
   wire [3:0] \control$169.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$177 ;
+  wire \control$169.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$177 ;
+  wire \control$177.carried ;
   wire \control$177.edge ;
   wire \control$177.en ;
   wire \control$177.first ;
   wire \control$177.last ;
   wire [3:0] \control$177.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$185 ;
+  wire \control$177.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$185 ;
+  wire \control$185.carried ;
   wire \control$185.edge ;
   wire \control$185.en ;
   wire \control$185.first ;
   wire \control$185.last ;
   wire [3:0] \control$185.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$193 ;
+  wire \control$185.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$193 ;
+  wire \control$193.carried ;
   wire \control$193.edge ;
   wire \control$193.en ;
   wire \control$193.first ;
   wire \control$193.last ;
   wire [3:0] \control$193.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$201 ;
+  wire \control$193.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$201 ;
+  wire \control$201.carried ;
   wire \control$201.edge ;
   wire \control$201.en ;
   wire \control$201.first ;
   wire \control$201.last ;
   wire [3:0] \control$201.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$209 ;
+  wire \control$201.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$209 ;
+  wire \control$209.carried ;
   wire \control$209.edge ;
   wire \control$209.en ;
   wire \control$209.first ;
   wire \control$209.last ;
   wire [3:0] \control$209.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$217 ;
+  wire \control$209.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$217 ;
+  wire \control$217.carried ;
   wire \control$217.edge ;
   wire \control$217.en ;
   wire \control$217.first ;
   wire \control$217.last ;
   wire [3:0] \control$217.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$225 ;
+  wire \control$217.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$225 ;
+  wire \control$225.carried ;
   wire \control$225.edge ;
   wire \control$225.en ;
   wire \control$225.first ;
   wire \control$225.last ;
   wire [3:0] \control$225.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$233 ;
+  wire \control$225.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$233 ;
+  wire \control$233.carried ;
   wire \control$233.edge ;
   wire \control$233.en ;
   wire \control$233.first ;
   wire \control$233.last ;
   wire [3:0] \control$233.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$241 ;
+  wire \control$233.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$241 ;
+  wire \control$241.carried ;
   wire \control$241.edge ;
   wire \control$241.en ;
   wire \control$241.first ;
   wire \control$241.last ;
   wire [3:0] \control$241.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$249 ;
+  wire \control$241.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$249 ;
+  wire \control$249.carried ;
   wire \control$249.edge ;
   wire \control$249.en ;
   wire \control$249.first ;
   wire \control$249.last ;
   wire [3:0] \control$249.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$257 ;
+  wire \control$249.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$257 ;
+  wire \control$257.carried ;
   wire \control$257.edge ;
   wire \control$257.en ;
   wire \control$257.first ;
   wire \control$257.last ;
   wire [3:0] \control$257.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$265 ;
+  wire \control$257.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$265 ;
+  wire \control$265.carried ;
   wire \control$265.edge ;
   wire \control$265.en ;
   wire \control$265.first ;
   wire \control$265.last ;
   wire [3:0] \control$265.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$273 ;
+  wire \control$265.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$273 ;
+  wire \control$273.carried ;
   wire \control$273.edge ;
   wire \control$273.en ;
   wire \control$273.first ;
   wire \control$273.last ;
   wire [3:0] \control$273.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$281 ;
+  wire \control$273.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$281 ;
+  wire \control$281.carried ;
   wire \control$281.edge ;
   wire \control$281.en ;
   wire \control$281.first ;
   wire \control$281.last ;
   wire [3:0] \control$281.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$289 ;
+  wire \control$281.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$289 ;
+  wire \control$289.carried ;
   wire \control$289.edge ;
   wire \control$289.en ;
   wire \control$289.first ;
   wire \control$289.last ;
   wire [3:0] \control$289.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$297 ;
+  wire \control$289.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$297 ;
+  wire \control$297.carried ;
   wire \control$297.edge ;
   wire \control$297.en ;
   wire \control$297.first ;
   wire \control$297.last ;
   wire [3:0] \control$297.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$305 ;
+  wire \control$297.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$305 ;
+  wire \control$305.carried ;
   wire \control$305.edge ;
   wire \control$305.en ;
   wire \control$305.first ;
   wire \control$305.last ;
   wire [3:0] \control$305.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$313 ;
+  wire \control$305.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$313 ;
+  wire \control$313.carried ;
   wire \control$313.edge ;
   wire \control$313.en ;
   wire \control$313.first ;
   wire \control$313.last ;
   wire [3:0] \control$313.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$321 ;
+  wire \control$313.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$321 ;
+  wire \control$321.carried ;
   wire \control$321.edge ;
   wire \control$321.en ;
   wire \control$321.first ;
   wire \control$321.last ;
   wire [3:0] \control$321.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$329 ;
+  wire \control$321.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$329 ;
+  wire \control$329.carried ;
   wire \control$329.edge ;
   wire \control$329.en ;
   wire \control$329.first ;
   wire \control$329.last ;
   wire [3:0] \control$329.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$337 ;
+  wire \control$329.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$337 ;
+  wire \control$337.carried ;
   wire \control$337.edge ;
   wire \control$337.en ;
   wire \control$337.first ;
   wire \control$337.last ;
   wire [3:0] \control$337.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$345 ;
+  wire \control$337.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$345 ;
+  wire \control$345.carried ;
   wire \control$345.edge ;
   wire \control$345.en ;
   wire \control$345.first ;
   wire \control$345.last ;
   wire [3:0] \control$345.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$353 ;
+  wire \control$345.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$353 ;
+  wire \control$353.carried ;
   wire \control$353.edge ;
   wire \control$353.en ;
   wire \control$353.first ;
   wire \control$353.last ;
   wire [3:0] \control$353.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$361 ;
+  wire \control$353.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$361 ;
+  wire \control$361.carried ;
   wire \control$361.edge ;
   wire \control$361.en ;
   wire \control$361.first ;
   wire \control$361.last ;
   wire [3:0] \control$361.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$369 ;
+  wire \control$361.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$369 ;
+  wire \control$369.carried ;
   wire \control$369.edge ;
   wire \control$369.en ;
   wire \control$369.first ;
   wire \control$369.last ;
   wire [3:0] \control$369.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$377 ;
+  wire \control$369.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$377 ;
+  wire \control$377.carried ;
   wire \control$377.edge ;
   wire \control$377.en ;
   wire \control$377.first ;
   wire \control$377.last ;
   wire [3:0] \control$377.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$385 ;
+  wire \control$377.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$385 ;
+  wire \control$385.carried ;
   wire \control$385.edge ;
   wire \control$385.en ;
   wire \control$385.first ;
   wire \control$385.last ;
   wire [3:0] \control$385.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$393 ;
+  wire \control$385.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$393 ;
+  wire \control$393.carried ;
   wire \control$393.edge ;
   wire \control$393.en ;
   wire \control$393.first ;
   wire \control$393.last ;
   wire [3:0] \control$393.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$401 ;
+  wire \control$393.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$401 ;
+  wire \control$401.carried ;
   wire \control$401.edge ;
   wire \control$401.en ;
   wire \control$401.first ;
   wire \control$401.last ;
   wire [3:0] \control$401.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$409 ;
+  wire \control$401.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$409 ;
+  wire \control$409.carried ;
   wire \control$409.edge ;
   wire \control$409.en ;
   wire \control$409.first ;
   wire \control$409.last ;
   wire [3:0] \control$409.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$417 ;
+  wire \control$409.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$417 ;
+  wire \control$417.carried ;
   wire \control$417.edge ;
   wire \control$417.en ;
   wire \control$417.first ;
   wire \control$417.last ;
   wire [3:0] \control$417.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$425 ;
+  wire \control$417.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$425 ;
+  wire \control$425.carried ;
   wire \control$425.edge ;
   wire \control$425.en ;
   wire \control$425.first ;
   wire \control$425.last ;
   wire [3:0] \control$425.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$433 ;
+  wire \control$425.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$433 ;
+  wire \control$433.carried ;
   wire \control$433.edge ;
   wire \control$433.en ;
   wire \control$433.first ;
   wire \control$433.last ;
   wire [3:0] \control$433.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$441 ;
+  wire \control$433.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$441 ;
+  wire \control$441.carried ;
   wire \control$441.edge ;
   wire \control$441.en ;
   wire \control$441.first ;
   wire \control$441.last ;
   wire [3:0] \control$441.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$449 ;
+  wire \control$441.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$449 ;
+  wire \control$449.carried ;
   wire \control$449.edge ;
   wire \control$449.en ;
   wire \control$449.first ;
   wire \control$449.last ;
   wire [3:0] \control$449.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$457 ;
+  wire \control$449.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$457 ;
+  wire \control$457.carried ;
   wire \control$457.edge ;
   wire \control$457.en ;
   wire \control$457.first ;
   wire \control$457.last ;
   wire [3:0] \control$457.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$465 ;
+  wire \control$457.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$465 ;
+  wire \control$465.carried ;
   wire \control$465.edge ;
   wire \control$465.en ;
   wire \control$465.first ;
   wire \control$465.last ;
   wire [3:0] \control$465.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$473 ;
+  wire \control$465.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$473 ;
+  wire \control$473.carried ;
   wire \control$473.edge ;
   wire \control$473.en ;
   wire \control$473.first ;
   wire \control$473.last ;
   wire [3:0] \control$473.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$481 ;
+  wire \control$473.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$481 ;
+  wire \control$481.carried ;
   wire \control$481.edge ;
   wire \control$481.en ;
   wire \control$481.first ;
   wire \control$481.last ;
   wire [3:0] \control$481.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$489 ;
+  wire \control$481.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$489 ;
+  wire \control$489.carried ;
   wire \control$489.edge ;
   wire \control$489.en ;
   wire \control$489.first ;
   wire \control$489.last ;
   wire [3:0] \control$489.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$497 ;
+  wire \control$489.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$497 ;
+  wire \control$497.carried ;
   wire \control$497.edge ;
   wire \control$497.en ;
   wire \control$497.first ;
   wire \control$497.last ;
   wire [3:0] \control$497.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$505 ;
+  wire \control$497.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$505 ;
+  wire \control$505.carried ;
   wire \control$505.edge ;
   wire \control$505.en ;
   wire \control$505.first ;
   wire \control$505.last ;
   wire [3:0] \control$505.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$513 ;
+  wire \control$505.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$513 ;
+  wire \control$513.carried ;
   wire \control$513.edge ;
   wire \control$513.en ;
   wire \control$513.first ;
   wire \control$513.last ;
   wire [3:0] \control$513.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$521 ;
+  wire \control$513.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$521 ;
+  wire \control$521.carried ;
   wire \control$521.edge ;
   wire \control$521.en ;
   wire \control$521.first ;
   wire \control$521.last ;
   wire [3:0] \control$521.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$529 ;
+  wire \control$521.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$529 ;
+  wire \control$529.carried ;
   wire \control$529.edge ;
   wire \control$529.en ;
   wire \control$529.first ;
   wire \control$529.last ;
   wire [3:0] \control$529.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$537 ;
+  wire \control$529.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$537 ;
+  wire \control$537.carried ;
   wire \control$537.edge ;
   wire \control$537.en ;
   wire \control$537.first ;
   wire \control$537.last ;
   wire [3:0] \control$537.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$545 ;
+  wire \control$537.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$545 ;
+  wire \control$545.carried ;
   wire \control$545.edge ;
   wire \control$545.en ;
   wire \control$545.first ;
   wire \control$545.last ;
   wire [3:0] \control$545.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$553 ;
+  wire \control$545.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$553 ;
+  wire \control$553.carried ;
   wire \control$553.edge ;
   wire \control$553.en ;
   wire \control$553.first ;
   wire \control$553.last ;
   wire [3:0] \control$553.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$561 ;
+  wire \control$553.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$561 ;
+  wire \control$561.carried ;
   wire \control$561.edge ;
   wire \control$561.en ;
   wire \control$561.first ;
   wire \control$561.last ;
   wire [3:0] \control$561.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$569 ;
+  wire \control$561.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$569 ;
+  wire \control$569.carried ;
   wire \control$569.edge ;
   wire \control$569.en ;
   wire \control$569.first ;
   wire \control$569.last ;
   wire [3:0] \control$569.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$577 ;
+  wire \control$569.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$577 ;
+  wire \control$577.carried ;
   wire \control$577.edge ;
   wire \control$577.en ;
   wire \control$577.first ;
   wire \control$577.last ;
   wire [3:0] \control$577.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$585 ;
+  wire \control$577.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$585 ;
+  wire \control$585.carried ;
   wire \control$585.edge ;
   wire \control$585.en ;
   wire \control$585.first ;
   wire \control$585.last ;
   wire [3:0] \control$585.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$593 ;
+  wire \control$585.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$593 ;
+  wire \control$593.carried ;
   wire \control$593.edge ;
   wire \control$593.en ;
   wire \control$593.first ;
   wire \control$593.last ;
   wire [3:0] \control$593.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$601 ;
+  wire \control$593.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$601 ;
+  wire \control$601.carried ;
   wire \control$601.edge ;
   wire \control$601.en ;
   wire \control$601.first ;
   wire \control$601.last ;
   wire [3:0] \control$601.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$609 ;
+  wire \control$601.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$609 ;
+  wire \control$609.carried ;
   wire \control$609.edge ;
   wire \control$609.en ;
   wire \control$609.first ;
   wire \control$609.last ;
   wire [3:0] \control$609.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$615 ;
-  wire \control$615.edge ;
-  wire \control$615.en ;
-  wire \control$615.first ;
-  wire \control$615.last ;
-  wire [3:0] \control$615.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$621 ;
-  wire \control$621.edge ;
-  wire \control$621.en ;
-  wire \control$621.first ;
-  wire \control$621.last ;
-  wire [3:0] \control$621.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] \control$627 ;
-  wire \control$627.edge ;
-  wire \control$627.en ;
-  wire \control$627.first ;
-  wire \control$627.last ;
-  wire [3:0] \control$627.tile ;
+  wire \control$609.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$616 ;
+  wire \control$616.carried ;
+  wire \control$616.edge ;
+  wire \control$616.en ;
+  wire \control$616.first ;
+  wire \control$616.last ;
+  wire [3:0] \control$616.tile ;
+  wire \control$616.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$623 ;
+  wire \control$623.carried ;
+  wire \control$623.edge ;
+  wire \control$623.en ;
+  wire \control$623.first ;
+  wire \control$623.last ;
+  wire [3:0] \control$623.tile ;
+  wire \control$623.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] \control$630 ;
+  wire \control$630.carried ;
+  wire \control$630.edge ;
+  wire \control$630.en ;
+  wire \control$630.first ;
+  wire \control$630.last ;
+  wire [3:0] \control$630.tile ;
+  wire \control$630.unload ;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
-  reg [7:0] control0 = 8'h00;
+  wire \control.unload ;
+  reg [9:0] control0 = 10'h000;
+  wire \control0.carried ;
   wire \control0.edge ;
   wire \control0.en ;
   wire \control0.first ;
   wire \control0.last ;
   wire [3:0] \control0.tile ;
-  reg [7:0] control1 = 8'h00;
+  wire \control0.unload ;
+  reg [9:0] control1 = 10'h000;
+  wire \control1.carried ;
   wire \control1.edge ;
   wire \control1.en ;
   wire \control1.first ;
   wire \control1.last ;
   wire [3:0] \control1.tile ;
-  (* init = 8'h00 *)
-  wire [7:0] control2;
+  wire \control1.unload ;
+  (* init = 10'h000 *)
+  wire [9:0] control2;
+  wire \control2.carried ;
   wire \control2.edge ;
   wire \control2.en ;
   wire \control2.first ;
   wire \control2.last ;
   wire [3:0] \control2.tile ;
-  reg [7:0] control3 = 8'h00;
+  wire \control2.unload ;
+  reg [9:0] control3 = 10'h000;
+  wire \control3.carried ;
   wire \control3.edge ;
   wire \control3.en ;
   wire \control3.first ;
   wire \control3.last ;
   wire [3:0] \control3.tile ;
+  wire \control3.unload ;
   wire credit;
   wire \credit$106 ;
   output [31:0] cycles;
@@ -1661,8 +1818,8 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
   (* enum_value_110 = "BAD_RANGE" *)
-  output [2:0] \error$638 ;
-  reg [2:0] \error$638  = 3'h0;
+  output [2:0] \error$642 ;
+  reg [2:0] \error$642  = 3'h0;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -1671,7 +1828,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
   (* enum_value_110 = "BAD_RANGE" *)
-  wire [2:0] \error$641 ;
+  wire [2:0] \error$645 ;
   (* enum_base_type = "Error" *)
   (* enum_value_000 = "NONE" *)
   (* enum_value_001 = "BAD_SHAPE" *)
@@ -1680,9 +1837,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   (* enum_value_100 = "TLAST_MISSING" *)
   (* enum_value_101 = "BAD_COMMAND" *)
   (* enum_value_110 = "BAD_RANGE" *)
-  wire [2:0] \error$642 ;
+  wire [2:0] \error$646 ;
   wire fault;
-  wire \fault$640 ;
+  wire \fault$644 ;
   output [31:0] fill_cycles;
   reg [31:0] fill_cycles = 32'd0;
   wire finished;
@@ -1750,37 +1907,52 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire idle;
   wire image_written;
   wire \image_written$104 ;
-  reg [10:0] info = 11'h000;
+  reg [13:0] info = 14'h0000;
   wire \info.edge ;
   wire \info.image_last ;
+  wire \info.inner ;
   wire [3:0] \info.slots ;
   wire [3:0] \info.tile ;
   wire \info.tile_last ;
-  reg [10:0] info0 = 11'h000;
+  wire \info.triple ;
+  wire \info.unloaded ;
+  reg [13:0] info0 = 14'h0000;
   wire \info0.edge ;
   wire \info0.image_last ;
+  wire \info0.inner ;
   wire [3:0] \info0.slots ;
   wire [3:0] \info0.tile ;
   wire \info0.tile_last ;
-  reg [10:0] info1 = 11'h000;
+  wire \info0.triple ;
+  wire \info0.unloaded ;
+  reg [13:0] info1 = 14'h0000;
   wire \info1.edge ;
   wire \info1.image_last ;
+  wire \info1.inner ;
   wire [3:0] \info1.slots ;
   wire [3:0] \info1.tile ;
   wire \info1.tile_last ;
-  reg [10:0] info2 = 11'h000;
+  wire \info1.triple ;
+  wire \info1.unloaded ;
+  reg [13:0] info2 = 14'h0000;
   wire \info2.edge ;
   wire \info2.image_last ;
+  wire \info2.inner ;
   wire [3:0] \info2.slots ;
   wire [3:0] \info2.tile ;
   wire \info2.tile_last ;
-  (* init = 11'h000 *)
-  wire [10:0] info3;
+  wire \info2.triple ;
+  wire \info2.unloaded ;
+  (* init = 14'h0000 *)
+  wire [13:0] info3;
   wire \info3.edge ;
   wire \info3.image_last ;
+  wire \info3.inner ;
   wire [3:0] \info3.slots ;
   wire [3:0] \info3.tile ;
   wire \info3.tile_last ;
+  wire \info3.triple ;
+  wire \info3.unloaded ;
   output [31:0] input_stalls;
   reg [31:0] input_stalls = 32'd0;
   wire issue;
@@ -1830,11 +2002,13 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   output params__ready;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1218$0 ;
-  wire [3:0] \port$1218$0 ;
-  wire [14:0] read;
+  input [3:0] \port$1314$0 ;
+  wire [3:0] \port$1314$0 ;
+  wire [16:0] read;
   wire [7:0] \read.address ;
+  wire \read.apart ;
   wire \read.bank ;
+  wire \read.inner ;
   wire [3:0] \read.mask ;
   wire [1:0] \read.slot ;
   wire [679:0] requant;
@@ -1853,8 +2027,8 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   input rst;
   wire rst;
   reg running = 1'h0;
-  wire [199:0] shape;
-  wire [199:0] \shape$61 ;
+  wire [200:0] shape;
+  wire [200:0] \shape$61 ;
   wire [15:0] \shape$61.beats_in ;
   wire [15:0] \shape$61.beats_out ;
   wire [15:0] \shape$61.beats_residual ;
@@ -1868,12 +2042,13 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire [15:0] \shape$61.out_height ;
   wire [15:0] \shape$61.out_width ;
   wire [11:0] \shape$61.output_words ;
+  wire \shape$61.packed ;
   wire \shape$61.pointwise ;
   wire \shape$61.residual ;
   wire [1:0] \shape$61.tail ;
   wire [11:0] \shape$61.tiles ;
   wire [15:0] \shape$61.width ;
-  wire [199:0] \shape$80 ;
+  wire [200:0] \shape$80 ;
   wire [15:0] \shape$80.beats_in ;
   wire [15:0] \shape$80.beats_out ;
   wire [15:0] \shape$80.beats_residual ;
@@ -1887,12 +2062,13 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire [15:0] \shape$80.out_height ;
   wire [15:0] \shape$80.out_width ;
   wire [11:0] \shape$80.output_words ;
+  wire \shape$80.packed ;
   wire \shape$80.pointwise ;
   wire \shape$80.residual ;
   wire [1:0] \shape$80.tail ;
   wire [11:0] \shape$80.tiles ;
   wire [15:0] \shape$80.width ;
-  wire [199:0] \shape$81 ;
+  wire [200:0] \shape$81 ;
   wire [15:0] \shape$81.beats_in ;
   wire [15:0] \shape$81.beats_out ;
   wire [15:0] \shape$81.beats_residual ;
@@ -1906,12 +2082,13 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire [15:0] \shape$81.out_height ;
   wire [15:0] \shape$81.out_width ;
   wire [11:0] \shape$81.output_words ;
+  wire \shape$81.packed ;
   wire \shape$81.pointwise ;
   wire \shape$81.residual ;
   wire [1:0] \shape$81.tail ;
   wire [11:0] \shape$81.tiles ;
   wire [15:0] \shape$81.width ;
-  wire [199:0] \shape$82 ;
+  wire [200:0] \shape$82 ;
   wire [15:0] \shape$82.beats_in ;
   wire [15:0] \shape$82.beats_out ;
   wire [15:0] \shape$82.beats_residual ;
@@ -1925,6 +2102,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire [15:0] \shape$82.out_height ;
   wire [15:0] \shape$82.out_width ;
   wire [11:0] \shape$82.output_words ;
+  wire \shape$82.packed ;
   wire \shape$82.pointwise ;
   wire \shape$82.residual ;
   wire [1:0] \shape$82.tail ;
@@ -1943,6 +2121,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire [15:0] \shape.out_height ;
   wire [15:0] \shape.out_width ;
   wire [11:0] \shape.output_words ;
+  wire \shape.packed ;
   wire \shape.pointwise ;
   wire \shape.residual ;
   wire [1:0] \shape.tail ;
@@ -2010,9 +2189,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire \shift$594 ;
   wire \shift$602 ;
   wire \shift$610 ;
-  wire \shift$616 ;
-  wire \shift$622 ;
-  wire \shift$628 ;
+  wire \shift$617 ;
+  wire \shift$624 ;
+  wire \shift$631 ;
   wire soft_reset;
   reg start;
   wire \start$86 ;
@@ -2022,22 +2201,29 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   reg start_requant;
   reg start_weights;
   wire starved;
-  wire [43:0] step;
-  wire [7:0] \step.control ;
+  wire [50:0] step;
+  wire [9:0] \step.control ;
+  wire \step.control.carried ;
   wire \step.control.edge ;
   wire \step.control.en ;
   wire \step.control.first ;
   wire \step.control.last ;
   wire [3:0] \step.control.tile ;
-  wire [10:0] \step.info ;
+  wire \step.control.unload ;
+  wire [13:0] \step.info ;
   wire \step.info.edge ;
   wire \step.info.image_last ;
+  wire \step.info.inner ;
   wire [3:0] \step.info.slots ;
   wire [3:0] \step.info.tile ;
   wire \step.info.tile_last ;
-  wire [14:0] \step.read ;
+  wire \step.info.triple ;
+  wire \step.info.unloaded ;
+  wire [16:0] \step.read ;
   wire [7:0] \step.read.address ;
+  wire \step.read.apart ;
   wire \step.read.bank ;
+  wire \step.read.inner ;
   wire [3:0] \step.read.mask ;
   wire [1:0] \step.read.slot ;
   wire [9:0] \step.weight ;
@@ -2254,15 +2440,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire [81:0] \write$607 ;
   wire [9:0] \write$607.addr ;
   wire [71:0] \write$607.data ;
-  wire [81:0] \write$613 ;
-  wire [9:0] \write$613.addr ;
-  wire [71:0] \write$613.data ;
-  wire [81:0] \write$619 ;
-  wire [9:0] \write$619.addr ;
-  wire [71:0] \write$619.data ;
-  wire [81:0] \write$625 ;
-  wire [9:0] \write$625.addr ;
-  wire [71:0] \write$625.data ;
+  wire [81:0] \write$614 ;
+  wire [9:0] \write$614.addr ;
+  wire [71:0] \write$614.data ;
+  wire [81:0] \write$621 ;
+  wire [9:0] \write$621.addr ;
+  wire [71:0] \write$621.data ;
+  wire [81:0] \write$628 ;
+  wire [9:0] \write$628.addr ;
+  wire [71:0] \write$628.data ;
   wire [7:0] \write.addr ;
   wire [671:0] \write.data ;
   wire write_en;
@@ -2327,9 +2513,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   wire \write_en$590 ;
   wire \write_en$598 ;
   wire \write_en$606 ;
-  wire \write_en$612 ;
-  wire \write_en$618 ;
-  wire \write_en$624 ;
+  wire \write_en$613 ;
+  wire \write_en$620 ;
+  wire \write_en$627 ;
   assign \$18  = ! words;
   assign \$19  = \$18  | \$signal$48 ;
   assign \$20  = busy & overlaps;
@@ -2339,86 +2525,87 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \$24  = \$23  & params__ready;
   assign \$26  = \$24  & \$25 ;
   assign \$27  = ! verdict;
-  assign finished = control3[0] & control3[2];
+  assign \$28  = control3[0] & control3[3];
+  assign finished = \$28  | control3[9];
   assign first_beat = \i__valid$66  & \i__ready$64 ;
-  assign \$28  = first_beat | \$signal$631 ;
-  assign \$29  = ~ ended;
-  assign \$signal$630  = \$28  & \$29 ;
-  assign \$30  = \port$1218$0 [2:0] - 1'h1;
-  assign \$31  = { 1'h0, \port$1218$0 [2:0] } & \$30 ;
-  assign \$32  = | \$31 ;
-  assign \$33  = | \wait ;
-  assign \$34  = \wait  - 1'h1;
-  assign \$35  = \wait  == 1'h1;
-  assign \$36  = running & delivered;
-  assign \$37  = ~ open;
-  assign \$38  = \$36  & \$37 ;
-  assign \$39  = \$signal$52  & idle;
-  assign \$40  = ! \error$638 ;
-  assign \$41  = | \$signal$54 ;
-  assign \$42  = | verdict;
-  assign \$43  = cycles + 1'h1;
-  assign \$44  = ~ \$signal$649 ;
-  assign \$45  = ~ flushing;
-  assign \$46  = blocked & \$45 ;
-  assign \$47  = mac_cycles + 1'h1;
-  assign \$48  = fill_cycles + 1'h1;
-  assign \$49  = input_stalls + 1'h1;
-  assign \$50  = output_stalls + 1'h1;
-  assign \$51  = drain_cycles + 1'h1;
+  assign \$29  = first_beat | \$signal$635 ;
+  assign \$30  = ~ ended;
+  assign \$signal$634  = \$29  & \$30 ;
+  assign \$31  = \port$1314$0 [2:0] - 1'h1;
+  assign \$32  = { 1'h0, \port$1314$0 [2:0] } & \$31 ;
+  assign \$33  = | \$32 ;
+  assign \$34  = | \wait ;
+  assign \$35  = \wait  - 1'h1;
+  assign \$36  = \wait  == 1'h1;
+  assign \$37  = running & delivered;
+  assign \$38  = ~ open;
+  assign \$39  = \$37  & \$38 ;
+  assign \$40  = \$signal$52  & idle;
+  assign \$41  = ! \error$642 ;
+  assign \$42  = | \$signal$54 ;
+  assign \$43  = | verdict;
+  assign \$44  = cycles + 1'h1;
+  assign \$45  = ~ \$signal$653 ;
+  assign \$46  = ~ flushing;
+  assign \$47  = blocked & \$46 ;
+  assign \$48  = mac_cycles + 1'h1;
+  assign \$49  = fill_cycles + 1'h1;
+  assign \$50  = input_stalls + 1'h1;
+  assign \$51  = output_stalls + 1'h1;
+  assign \$52  = drain_cycles + 1'h1;
   always @(posedge clk)
-    last_beat_gone0 <= \$52 ;
+    last_beat_gone0 <= \$53 ;
   always @(posedge clk)
-    \wait  <= \$53 ;
+    \wait  <= \$54 ;
   always @(posedge clk)
-    done <= \$54 ;
+    done <= \$55 ;
   always @(posedge clk)
-    running <= \$55 ;
+    running <= \$56 ;
   always @(posedge clk)
-    delivered <= \$56 ;
+    delivered <= \$57 ;
   always @(posedge clk)
-    \error$638  <= \$57 ;
+    \error$642  <= \$58 ;
   always @(posedge clk)
-    control0 <= \$58 ;
+    control0 <= \$59 ;
   always @(posedge clk)
-    info0 <= step[43:33];
+    info0 <= step[50:37];
   always @(posedge clk)
-    control1 <= \$59 ;
+    control1 <= \$60 ;
   always @(posedge clk)
     info1 <= info0;
   always @(posedge clk)
-    control <= \$60 ;
+    control <= \$61 ;
   always @(posedge clk)
     info2 <= info1;
   always @(posedge clk)
-    control3 <= \$61 ;
+    control3 <= \$62 ;
   always @(posedge clk)
     info <= info2;
   always @(posedge clk)
-    \$signal$631  <= \$62 ;
+    \$signal$635  <= \$63 ;
   always @(posedge clk)
-    \$signal$649  <= \$63 ;
+    \$signal$653  <= \$64 ;
   always @(posedge clk)
-    ended <= \$64 ;
+    ended <= \$65 ;
   always @(posedge clk)
-    cycles <= \$65 ;
+    cycles <= \$66 ;
   always @(posedge clk)
-    mac_cycles <= \$66 ;
+    mac_cycles <= \$67 ;
   always @(posedge clk)
-    fill_cycles <= \$67 ;
+    fill_cycles <= \$68 ;
   always @(posedge clk)
-    input_stalls <= \$68 ;
+    input_stalls <= \$69 ;
   always @(posedge clk)
-    output_stalls <= \$69 ;
+    output_stalls <= \$70 ;
   always @(posedge clk)
-    drain_cycles <= \$70 ;
+    drain_cycles <= \$71 ;
   assign \$1  = \o__valid$16  & \o__ready$14 ;
   assign last_beat0 = \$1  & \o__payload$12 [64];
   assign \$3  = last_beat0 | last_beat_gone0;
   assign last_beat = \$2  & \$4 ;
   assign \$5  = | \wait ;
   assign busy = running | \$5 ;
-  assign \$signal  = params__ready ? to_requant : \port$1218$0 [2];
+  assign \$signal  = params__ready ? to_requant : \port$1314$0 [2];
   assign load_end = base + words;
   assign \$6  = \$signal  ? 11'h100 : 11'h400;
   assign \$signal$48  = load_end > \$6 ;
@@ -2427,12 +2614,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \$9  = \$signal  ? requant_base : weight_base;
   assign \$10  = load_end > \$9 ;
   assign overlaps = \$8  & \$10 ;
-  assign \$signal$52  = | \port$1218$0 [2:0];
+  assign \$signal$52  = | \port$1314$0 [2:0];
   assign \$11  = ~ busy;
   assign \$12  = ~ params__ready;
   assign idle = \$11  & \$12 ;
-  assign \$13  = \port$1218$0 [2:0] - 1'h1;
-  assign \$14  = { 1'h0, \port$1218$0 [2:0] } & \$13 ;
+  assign \$13  = \port$1314$0 [2:0] - 1'h1;
+  assign \$14  = { 1'h0, \port$1314$0 [2:0] } & \$13 ;
   assign \$15  = | \$14 ;
   \macram_top.array.decoder  decoder (
     .c_in(c_in),
@@ -2445,7 +2632,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .requant_end(requant_end),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1218$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .weight_base(weight_base),
     .weight_end(weight_end),
     .width(width)
@@ -2454,18 +2641,18 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .clk(clk),
     .credit(credit),
     .finished(finished),
-    .\heads$61 (heads),
+    .\heads$75 (heads),
     .info(info),
     .o__payload(i__payload),
     .o__ready(o__ready),
-    .reload__addr(\$72 ),
-    .reload__data(\$73 ),
+    .reload__addr(\$73 ),
+    .reload__data(\$74 ),
     .reload__en(write_en),
     .requant_base(requant_base[7:0]),
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1218$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .start(start),
     .valid(i__valid)
   );
@@ -2479,12 +2666,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .o__ready(\o__ready$14 ),
     .o__valid(\o__valid$16 ),
     .rst(rst),
-    .soft_reset(\port$1218$0 [3])
+    .soft_reset(\port$1314$0 [3])
   );
   \macram_top.array.frame  frame (
     .beats(shape[147:132]),
     .clk(clk),
-    .error(\error$641 ),
+    .error(\error$645 ),
     .fault(fault),
     .i__payload(\i__payload$62 ),
     .i__ready(\i__ready$64 ),
@@ -2492,9 +2679,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .o__ready(\o__ready$70 ),
     .o__valid(\i__valid$72 ),
     .open(open),
-    .\port$1313$0 (shape[31:0]),
+    .\port$1409$0 (shape[31:0]),
     .rst(rst),
-    .soft_reset(\port$1218$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
@@ -2506,9 +2693,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .o__payload(\i__payload$74 ),
     .o__ready(\o__ready$76 ),
     .o__valid(\i__valid$78 ),
-    .\port$1313$79 (shape[92:79]),
+    .\port$1409$79 (shape[92:79]),
     .rst(rst),
-    .soft_reset(\port$1218$0 [3])
+    .soft_reset(\port$1314$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
@@ -2517,29 +2704,29 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .i__ready(\o__ready$76 ),
     .i__valid(\i__valid$78 ),
     .image_written(image_written),
-    .read(step[14:0]),
+    .read(step[16:0]),
     .retire(retire),
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1218$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .start(start),
     .word(activations)
   );
   \macram_top.array.loader  loader (
     .base(base),
     .clk(clk),
-    .error(\error$642 ),
-    .fault(\fault$640 ),
+    .error(\error$646 ),
+    .fault(\fault$644 ),
     .i__payload(\i__payload$6 ),
     .i__ready(params__ready),
     .i__valid(\i__valid$10 ),
-    .\port$1569$0 (\$71 ),
-    .\port$1571$0 (\$72 ),
-    .\port$1573$0 (\$73 ),
+    .\port$1691$0 (\$72 ),
+    .\port$1693$0 (\$73 ),
+    .\port$1695$0 (\$74 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1218$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
     .to_requant(to_requant),
@@ -2558,14 +2745,14 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1218$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .start(start),
     .starved(starved),
-    .\step$45 (step),
+    .\step$51 (step),
     .weight_base(weight_base[9:0])
   );
   \macram_top.array.unit000  unit000 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(chain_o),
     .clk(clk),
     .core__activations(activations),
@@ -2573,12 +2760,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[0])
   );
   \macram_top.array.unit001  unit001 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_o$136 ),
     .clk(clk),
     .core__activations(activations),
@@ -2586,12 +2773,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[1])
   );
   \macram_top.array.unit002  unit002 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_o$145 ),
     .clk(clk),
     .core__activations(activations),
@@ -2599,12 +2786,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[2])
   );
   \macram_top.array.unit003  unit003 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_o$154 ),
     .clk(clk),
     .core__activations(activations),
@@ -2612,12 +2799,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[3])
   );
   \macram_top.array.unit004  unit004 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(chain_i),
     .clk(clk),
     .core__activations(activations),
@@ -2625,12 +2812,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[4])
   );
   \macram_top.array.unit005  unit005 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$137 ),
     .clk(clk),
     .core__activations(activations),
@@ -2638,12 +2825,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[5])
   );
   \macram_top.array.unit006  unit006 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$146 ),
     .clk(clk),
     .core__activations(activations),
@@ -2651,12 +2838,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[6])
   );
   \macram_top.array.unit007  unit007 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$155 ),
     .clk(clk),
     .core__activations(activations),
@@ -2664,12 +2851,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[7])
   );
   \macram_top.array.unit008  unit008 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$163 ),
     .clk(clk),
     .core__activations(activations),
@@ -2677,12 +2864,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[8])
   );
   \macram_top.array.unit009  unit009 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$171 ),
     .clk(clk),
     .core__activations(activations),
@@ -2690,12 +2877,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[9])
   );
   \macram_top.array.unit010  unit010 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$179 ),
     .clk(clk),
     .core__activations(activations),
@@ -2703,12 +2890,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[10])
   );
   \macram_top.array.unit011  unit011 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$187 ),
     .clk(clk),
     .core__activations(activations),
@@ -2716,12 +2903,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[11])
   );
   \macram_top.array.unit012  unit012 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$195 ),
     .clk(clk),
     .core__activations(activations),
@@ -2729,12 +2916,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[12])
   );
   \macram_top.array.unit013  unit013 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$203 ),
     .clk(clk),
     .core__activations(activations),
@@ -2742,12 +2929,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[13])
   );
   \macram_top.array.unit014  unit014 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$211 ),
     .clk(clk),
     .core__activations(activations),
@@ -2755,12 +2942,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[14])
   );
   \macram_top.array.unit015  unit015 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$219 ),
     .clk(clk),
     .core__activations(activations),
@@ -2768,12 +2955,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[15])
   );
   \macram_top.array.unit016  unit016 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$227 ),
     .clk(clk),
     .core__activations(activations),
@@ -2781,12 +2968,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[16])
   );
   \macram_top.array.unit017  unit017 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$235 ),
     .clk(clk),
     .core__activations(activations),
@@ -2794,12 +2981,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[17])
   );
   \macram_top.array.unit018  unit018 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$243 ),
     .clk(clk),
     .core__activations(activations),
@@ -2807,12 +2994,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[18])
   );
   \macram_top.array.unit019  unit019 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$251 ),
     .clk(clk),
     .core__activations(activations),
@@ -2820,12 +3007,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[19])
   );
   \macram_top.array.unit020  unit020 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$259 ),
     .clk(clk),
     .core__activations(activations),
@@ -2833,12 +3020,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[20])
   );
   \macram_top.array.unit021  unit021 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$267 ),
     .clk(clk),
     .core__activations(activations),
@@ -2846,12 +3033,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[21])
   );
   \macram_top.array.unit022  unit022 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$275 ),
     .clk(clk),
     .core__activations(activations),
@@ -2859,12 +3046,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[22])
   );
   \macram_top.array.unit023  unit023 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$283 ),
     .clk(clk),
     .core__activations(activations),
@@ -2872,12 +3059,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[23])
   );
   \macram_top.array.unit024  unit024 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$291 ),
     .clk(clk),
     .core__activations(activations),
@@ -2885,12 +3072,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[24])
   );
   \macram_top.array.unit025  unit025 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$299 ),
     .clk(clk),
     .core__activations(activations),
@@ -2898,12 +3085,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[25])
   );
   \macram_top.array.unit026  unit026 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$307 ),
     .clk(clk),
     .core__activations(activations),
@@ -2911,12 +3098,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[26])
   );
   \macram_top.array.unit027  unit027 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$315 ),
     .clk(clk),
     .core__activations(activations),
@@ -2924,12 +3111,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[27])
   );
   \macram_top.array.unit028  unit028 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$323 ),
     .clk(clk),
     .core__activations(activations),
@@ -2937,12 +3124,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[28])
   );
   \macram_top.array.unit029  unit029 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$331 ),
     .clk(clk),
     .core__activations(activations),
@@ -2950,12 +3137,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[29])
   );
   \macram_top.array.unit030  unit030 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$339 ),
     .clk(clk),
     .core__activations(activations),
@@ -2963,12 +3150,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[30])
   );
   \macram_top.array.unit031  unit031 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$347 ),
     .clk(clk),
     .core__activations(activations),
@@ -2976,12 +3163,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[31])
   );
   \macram_top.array.unit032  unit032 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$355 ),
     .clk(clk),
     .core__activations(activations),
@@ -2989,12 +3176,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[32])
   );
   \macram_top.array.unit033  unit033 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$363 ),
     .clk(clk),
     .core__activations(activations),
@@ -3002,12 +3189,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[33])
   );
   \macram_top.array.unit034  unit034 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$371 ),
     .clk(clk),
     .core__activations(activations),
@@ -3015,12 +3202,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[34])
   );
   \macram_top.array.unit035  unit035 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$379 ),
     .clk(clk),
     .core__activations(activations),
@@ -3028,12 +3215,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[35])
   );
   \macram_top.array.unit036  unit036 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$387 ),
     .clk(clk),
     .core__activations(activations),
@@ -3041,12 +3228,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[36])
   );
   \macram_top.array.unit037  unit037 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$395 ),
     .clk(clk),
     .core__activations(activations),
@@ -3054,12 +3241,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[37])
   );
   \macram_top.array.unit038  unit038 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$403 ),
     .clk(clk),
     .core__activations(activations),
@@ -3067,12 +3254,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[38])
   );
   \macram_top.array.unit039  unit039 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$411 ),
     .clk(clk),
     .core__activations(activations),
@@ -3080,12 +3267,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[39])
   );
   \macram_top.array.unit040  unit040 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$419 ),
     .clk(clk),
     .core__activations(activations),
@@ -3093,12 +3280,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[40])
   );
   \macram_top.array.unit041  unit041 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$427 ),
     .clk(clk),
     .core__activations(activations),
@@ -3106,12 +3293,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[41])
   );
   \macram_top.array.unit042  unit042 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$435 ),
     .clk(clk),
     .core__activations(activations),
@@ -3119,12 +3306,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[42])
   );
   \macram_top.array.unit043  unit043 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$443 ),
     .clk(clk),
     .core__activations(activations),
@@ -3132,12 +3319,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[43])
   );
   \macram_top.array.unit044  unit044 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$451 ),
     .clk(clk),
     .core__activations(activations),
@@ -3145,12 +3332,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[44])
   );
   \macram_top.array.unit045  unit045 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$459 ),
     .clk(clk),
     .core__activations(activations),
@@ -3158,12 +3345,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[45])
   );
   \macram_top.array.unit046  unit046 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$467 ),
     .clk(clk),
     .core__activations(activations),
@@ -3171,12 +3358,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[46])
   );
   \macram_top.array.unit047  unit047 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$475 ),
     .clk(clk),
     .core__activations(activations),
@@ -3184,12 +3371,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[47])
   );
   \macram_top.array.unit048  unit048 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$483 ),
     .clk(clk),
     .core__activations(activations),
@@ -3197,12 +3384,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[48])
   );
   \macram_top.array.unit049  unit049 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$491 ),
     .clk(clk),
     .core__activations(activations),
@@ -3210,12 +3397,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[49])
   );
   \macram_top.array.unit050  unit050 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$499 ),
     .clk(clk),
     .core__activations(activations),
@@ -3223,12 +3410,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[50])
   );
   \macram_top.array.unit051  unit051 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$507 ),
     .clk(clk),
     .core__activations(activations),
@@ -3236,12 +3423,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[51])
   );
   \macram_top.array.unit052  unit052 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$515 ),
     .clk(clk),
     .core__activations(activations),
@@ -3249,12 +3436,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[52])
   );
   \macram_top.array.unit053  unit053 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$523 ),
     .clk(clk),
     .core__activations(activations),
@@ -3262,12 +3449,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[53])
   );
   \macram_top.array.unit054  unit054 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$531 ),
     .clk(clk),
     .core__activations(activations),
@@ -3275,12 +3462,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[54])
   );
   \macram_top.array.unit055  unit055 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$539 ),
     .clk(clk),
     .core__activations(activations),
@@ -3288,12 +3475,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[55])
   );
   \macram_top.array.unit056  unit056 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$547 ),
     .clk(clk),
     .core__activations(activations),
@@ -3301,12 +3488,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[56])
   );
   \macram_top.array.unit057  unit057 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$555 ),
     .clk(clk),
     .core__activations(activations),
@@ -3314,12 +3501,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[57])
   );
   \macram_top.array.unit058  unit058 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$563 ),
     .clk(clk),
     .core__activations(activations),
@@ -3327,12 +3514,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[58])
   );
   \macram_top.array.unit059  unit059 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$571 ),
     .clk(clk),
     .core__activations(activations),
@@ -3340,56 +3527,60 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[59])
   );
   \macram_top.array.unit060  unit060 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$579 ),
     .clk(clk),
     .core__activations(activations),
+    .core__chain_i(chain_o),
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[60])
   );
   \macram_top.array.unit061  unit061 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$587 ),
     .clk(clk),
     .core__activations(activations),
+    .core__chain_i(\chain_o$136 ),
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[61])
   );
   \macram_top.array.unit062  unit062 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$595 ),
     .clk(clk),
     .core__activations(activations),
+    .core__chain_i(\chain_o$145 ),
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[62])
   );
   \macram_top.array.unit063  unit063 (
-    .address(step[24:15]),
+    .address(step[26:17]),
     .chain_o(\chain_i$603 ),
     .clk(clk),
     .core__activations(activations),
+    .core__chain_i(\chain_o$154 ),
     .core__control(control),
     .core__shift(shift),
     .rst(rst),
-    .write__addr(\$71 ),
-    .write__data(\$73 [647:576]),
+    .write__addr(\$72 ),
+    .write__data(\$74 [647:576]),
     .write__en(unit_en[63])
   );
   always @* begin
@@ -3397,7 +3588,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     \$signal$54  = 3'h0;
     if (\$15 ) begin
       \$signal$54  = 3'h5;
-    end else if (\port$1218$0 [0]) begin
+    end else if (\port$1314$0 [0]) begin
       if (busy) begin
         \$signal$54  = 3'h5;
       end
@@ -3413,13 +3604,13 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_weights = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1218$0 [0]) begin
+    end else if (\port$1314$0 [0]) begin
     end else if (\$signal$52 ) begin
       (* full_case = 32'd1 *)
       if (\$17 ) begin
       end else if (\$21 ) begin
       end else begin
-        start_weights = \port$1218$0 [1];
+        start_weights = \port$1314$0 [1];
       end
     end
   end
@@ -3427,13 +3618,13 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_requant = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1218$0 [0]) begin
+    end else if (\port$1314$0 [0]) begin
     end else if (\$signal$52 ) begin
       (* full_case = 32'd1 *)
       if (\$17 ) begin
       end else if (\$21 ) begin
       end else begin
-        start_requant = \port$1218$0 [2];
+        start_requant = \port$1314$0 [2];
       end
     end
   end
@@ -3458,74 +3649,58 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$52  = last_beat_gone0;
+    \$53  = last_beat_gone0;
     if (start) begin
-      \$52  = 1'h0;
+      \$53  = 1'h0;
     end else if (last_beat0) begin
-      \$52  = 1'h1;
+      \$53  = 1'h1;
     end
-    if (\port$1218$0 [3]) begin
-      \$52  = 1'h0;
+    if (\port$1314$0 [3]) begin
+      \$53  = 1'h0;
     end
     if (rst) begin
-      \$52  = 1'h0;
+      \$53  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$53  = \wait ;
-    if (\$32 ) begin
-    end else if (\port$1218$0 [0]) begin
-      (* full_case = 32'd1 *)
-      if (busy) begin
-      end else begin
-        \$53  = 2'h3;
-      end
-    end
+    \$54  = \wait ;
     if (\$33 ) begin
-      \$53  = \$34 [1:0];
-    end
-    if (\port$1218$0 [3]) begin
-      \$53  = 2'h0;
-    end
-    if (rst) begin
-      \$53  = 2'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$54  = done;
-    if (\$32 ) begin
-    end else if (\port$1218$0 [0]) begin
+    end else if (\port$1314$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
-        \$54  = 1'h0;
+        \$54  = 2'h3;
       end
     end
-    if (\$38 ) begin
-      \$54  = 1'h1;
+    if (\$34 ) begin
+      \$54  = \$35 [1:0];
+    end
+    if (\port$1314$0 [3]) begin
+      \$54  = 2'h0;
+    end
+    if (rst) begin
+      \$54  = 2'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$55  = done;
+    if (\$33 ) begin
+    end else if (\port$1314$0 [0]) begin
+      (* full_case = 32'd1 *)
+      if (busy) begin
+      end else begin
+        \$55  = 1'h0;
+      end
     end
     if (\$39 ) begin
-      \$54  = 1'h0;
+      \$55  = 1'h1;
     end
-    if (\port$1218$0 [3]) begin
-      \$54  = 1'h0;
-    end
-    if (rst) begin
-      \$54  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$55  = running;
-    if (\$35 ) begin
-      \$55  = start;
-    end
-    if (\$38 ) begin
+    if (\$40 ) begin
       \$55  = 1'h0;
     end
-    if (\port$1218$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$55  = 1'h0;
     end
     if (rst) begin
@@ -3534,109 +3709,109 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$56  = delivered;
+    \$56  = running;
+    if (\$36 ) begin
+      \$56  = start;
+    end
+    if (\$39 ) begin
+      \$56  = 1'h0;
+    end
+    if (\port$1314$0 [3]) begin
+      \$56  = 1'h0;
+    end
+    if (rst) begin
+      \$56  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$57  = delivered;
     if (last_beat) begin
-      \$56  = 1'h1;
+      \$57  = 1'h1;
     end
-    if (\$38 ) begin
-      \$56  = 1'h0;
+    if (\$39 ) begin
+      \$57  = 1'h0;
     end
-    if (\port$1218$0 [3]) begin
-      \$56  = 1'h0;
+    if (\port$1314$0 [3]) begin
+      \$57  = 1'h0;
     end
     if (rst) begin
-      \$56  = 1'h0;
+      \$57  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$57  = \error$638 ;
-    if (\$39 ) begin
-      \$57  = \$signal$54 ;
-    end else if (\$40 ) begin
-      if (\$41 ) begin
-        \$57  = \$signal$54 ;
-      end else if (\$42 ) begin
-        \$57  = verdict;
+    \$58  = \error$642 ;
+    if (\$40 ) begin
+      \$58  = \$signal$54 ;
+    end else if (\$41 ) begin
+      if (\$42 ) begin
+        \$58  = \$signal$54 ;
+      end else if (\$43 ) begin
+        \$58  = verdict;
       end else if (fault) begin
-        \$57  = \error$641 ;
-      end else if (\fault$640 ) begin
-        \$57  = \error$642 ;
+        \$58  = \error$645 ;
+      end else if (\fault$644 ) begin
+        \$58  = \error$646 ;
       end
     end
-    if (\port$1218$0 [3]) begin
-      \$57  = 3'h0;
+    if (\port$1314$0 [3]) begin
+      \$58  = 3'h0;
     end
     if (rst) begin
-      \$57  = 3'h0;
+      \$58  = 3'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$58  = step[32:25];
-    if (\port$1218$0 [3]) begin
-      \$58  = 8'h00;
+    \$59  = step[36:27];
+    if (\port$1314$0 [3]) begin
+      \$59  = 10'h000;
     end
     if (rst) begin
-      \$58  = 8'h00;
+      \$59  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$59  = control0;
-    if (\port$1218$0 [3]) begin
-      \$59  = 8'h00;
+    \$60  = control0;
+    if (\port$1314$0 [3]) begin
+      \$60  = 10'h000;
     end
     if (rst) begin
-      \$59  = 8'h00;
+      \$60  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$60  = control1;
-    if (\port$1218$0 [3]) begin
-      \$60  = 8'h00;
+    \$61  = control1;
+    if (\port$1314$0 [3]) begin
+      \$61  = 10'h000;
     end
     if (rst) begin
-      \$60  = 8'h00;
+      \$61  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$61  = control;
-    if (\port$1218$0 [3]) begin
-      \$61  = 8'h00;
+    \$62  = control;
+    if (\port$1314$0 [3]) begin
+      \$62  = 10'h000;
     end
     if (rst) begin
-      \$61  = 8'h00;
+      \$62  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$62  = \$signal$631 ;
+    \$63  = \$signal$635 ;
     if (first_beat) begin
-      \$62  = 1'h1;
-    end
-    if (start) begin
-      \$62  = 1'h0;
-    end
-    if (\port$1218$0 [3]) begin
-      \$62  = 1'h0;
-    end
-    if (rst) begin
-      \$62  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$63  = \$signal$649 ;
-    if (issue) begin
       \$63  = 1'h1;
     end
     if (start) begin
       \$63  = 1'h0;
     end
-    if (\port$1218$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$63  = 1'h0;
     end
     if (rst) begin
@@ -3645,14 +3820,14 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$64  = ended;
-    if (last_beat) begin
+    \$64  = \$signal$653 ;
+    if (issue) begin
       \$64  = 1'h1;
     end
     if (start) begin
       \$64  = 1'h0;
     end
-    if (\port$1218$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$64  = 1'h0;
     end
     if (rst) begin
@@ -3661,32 +3836,30 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$65  = cycles;
-    if (\$signal$630 ) begin
-      \$65  = \$43 [31:0];
+    \$65  = ended;
+    if (last_beat) begin
+      \$65  = 1'h1;
     end
     if (start) begin
-      \$65  = 32'd0;
+      \$65  = 1'h0;
     end
-    if (\port$1218$0 [3]) begin
-      \$65  = 32'd0;
+    if (\port$1314$0 [3]) begin
+      \$65  = 1'h0;
     end
     if (rst) begin
-      \$65  = 32'd0;
+      \$65  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$66  = mac_cycles;
-    if (\$signal$630 ) begin
-      if (issue) begin
-        \$66  = \$47 [31:0];
-      end
+    \$66  = cycles;
+    if (\$signal$634 ) begin
+      \$66  = \$44 [31:0];
     end
     if (start) begin
       \$66  = 32'd0;
     end
-    if (\port$1218$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$66  = 32'd0;
     end
     if (rst) begin
@@ -3695,17 +3868,16 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$67  = fill_cycles;
-    if (\$signal$630 ) begin
+    \$67  = mac_cycles;
+    if (\$signal$634 ) begin
       if (issue) begin
-      end else if (\$44 ) begin
         \$67  = \$48 [31:0];
       end
     end
     if (start) begin
       \$67  = 32'd0;
     end
-    if (\port$1218$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$67  = 32'd0;
     end
     if (rst) begin
@@ -3714,18 +3886,17 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$68  = input_stalls;
-    if (\$signal$630 ) begin
+    \$68  = fill_cycles;
+    if (\$signal$634 ) begin
       if (issue) begin
-      end else if (\$44 ) begin
-      end else if (starved) begin
+      end else if (\$45 ) begin
         \$68  = \$49 [31:0];
       end
     end
     if (start) begin
       \$68  = 32'd0;
     end
-    if (\port$1218$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$68  = 32'd0;
     end
     if (rst) begin
@@ -3734,19 +3905,18 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$69  = output_stalls;
-    if (\$signal$630 ) begin
+    \$69  = input_stalls;
+    if (\$signal$634 ) begin
       if (issue) begin
-      end else if (\$44 ) begin
+      end else if (\$45 ) begin
       end else if (starved) begin
-      end else if (\$46 ) begin
         \$69  = \$50 [31:0];
       end
     end
     if (start) begin
       \$69  = 32'd0;
     end
-    if (\port$1218$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$69  = 32'd0;
     end
     if (rst) begin
@@ -3755,25 +3925,46 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$70  = drain_cycles;
-    if (\$signal$630 ) begin
-      (* full_case = 32'd1 *)
+    \$70  = output_stalls;
+    if (\$signal$634 ) begin
       if (issue) begin
-      end else if (\$44 ) begin
+      end else if (\$45 ) begin
       end else if (starved) begin
-      end else if (\$46 ) begin
-      end else begin
+      end else if (\$47 ) begin
         \$70  = \$51 [31:0];
       end
     end
     if (start) begin
       \$70  = 32'd0;
     end
-    if (\port$1218$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$70  = 32'd0;
     end
     if (rst) begin
       \$70  = 32'd0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$71  = drain_cycles;
+    if (\$signal$634 ) begin
+      (* full_case = 32'd1 *)
+      if (issue) begin
+      end else if (\$45 ) begin
+      end else if (starved) begin
+      end else if (\$47 ) begin
+      end else begin
+        \$71  = \$52 [31:0];
+      end
+    end
+    if (start) begin
+      \$71  = 32'd0;
+    end
+    if (\port$1314$0 [3]) begin
+      \$71  = 32'd0;
+    end
+    if (rst) begin
+      \$71  = 32'd0;
     end
   end
   assign o__payload = i__payload;
@@ -3796,7 +3987,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign param_base = base;
   assign loading = params__ready;
   assign \busy$43  = params__ready;
-  assign command = \port$1218$0 [2:0];
+  assign command = \port$1314$0 [2:0];
   assign \shape$61  = shape;
   assign \i__payload$63  = \i__payload$62 ;
   assign \i__ready$65  = \i__ready$64 ;
@@ -3825,460 +4016,464 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \retire_row$96  = retire_row;
   assign \weight_base$97  = weight_base[9:0];
   assign \requant_base$98  = requant_base[7:0];
-  assign read = step[14:0];
+  assign read = step[16:0];
   assign \group_written$102  = group_written;
   assign \image_written$104  = image_written;
   assign \credit$106  = credit;
   assign requant_en = write_en;
-  assign write = { \$73 , \$72  };
-  assign requant = { \$73 , \$72  };
+  assign write = { \$74 , \$73  };
+  assign requant = { \$74 , \$73  };
   assign info3 = info;
-  assign address = step[24:15];
+  assign address = step[26:17];
   assign \write_en$116  = unit_en[0];
-  assign \write$118  = { \$73 [647:576], \$71  };
-  assign weight = { \$73 [647:576], \$71  };
+  assign \write$118  = { \$74 [647:576], \$72  };
+  assign weight = { \$74 [647:576], \$72  };
   assign word = activations;
   assign control2 = control;
   assign \shift$125  = shift;
   assign \chain_o$129  = chain_i;
-  assign \address$130  = step[24:15];
+  assign \address$130  = step[26:17];
   assign \write_en$131  = unit_en[1];
-  assign \write$132  = { \$73 [647:576], \$71  };
+  assign \write$132  = { \$74 [647:576], \$72  };
   assign \activations$133  = activations;
   assign \control$134  = control;
   assign \shift$135  = shift;
   assign \chain_o$138  = \chain_i$137 ;
-  assign \address$139  = step[24:15];
+  assign \address$139  = step[26:17];
   assign \write_en$140  = unit_en[2];
-  assign \write$141  = { \$73 [647:576], \$71  };
+  assign \write$141  = { \$74 [647:576], \$72  };
   assign \activations$142  = activations;
   assign \control$143  = control;
   assign \shift$144  = shift;
   assign \chain_o$147  = \chain_i$146 ;
-  assign \address$148  = step[24:15];
+  assign \address$148  = step[26:17];
   assign \write_en$149  = unit_en[3];
-  assign \write$150  = { \$73 [647:576], \$71  };
+  assign \write$150  = { \$74 [647:576], \$72  };
   assign \activations$151  = activations;
   assign \control$152  = control;
   assign \shift$153  = shift;
   assign \chain_o$156  = \chain_i$155 ;
-  assign \address$157  = step[24:15];
+  assign \address$157  = step[26:17];
   assign \write_en$158  = unit_en[4];
-  assign \write$159  = { \$73 [647:576], \$71  };
+  assign \write$159  = { \$74 [647:576], \$72  };
   assign \activations$160  = activations;
   assign \control$161  = control;
   assign \shift$162  = shift;
   assign \chain_o$164  = \chain_i$163 ;
-  assign \address$165  = step[24:15];
+  assign \address$165  = step[26:17];
   assign \write_en$166  = unit_en[5];
-  assign \write$167  = { \$73 [647:576], \$71  };
+  assign \write$167  = { \$74 [647:576], \$72  };
   assign \activations$168  = activations;
   assign \control$169  = control;
   assign \shift$170  = shift;
   assign \chain_o$172  = \chain_i$171 ;
-  assign \address$173  = step[24:15];
+  assign \address$173  = step[26:17];
   assign \write_en$174  = unit_en[6];
-  assign \write$175  = { \$73 [647:576], \$71  };
+  assign \write$175  = { \$74 [647:576], \$72  };
   assign \activations$176  = activations;
   assign \control$177  = control;
   assign \shift$178  = shift;
   assign \chain_o$180  = \chain_i$179 ;
-  assign \address$181  = step[24:15];
+  assign \address$181  = step[26:17];
   assign \write_en$182  = unit_en[7];
-  assign \write$183  = { \$73 [647:576], \$71  };
+  assign \write$183  = { \$74 [647:576], \$72  };
   assign \activations$184  = activations;
   assign \control$185  = control;
   assign \shift$186  = shift;
   assign \chain_o$188  = \chain_i$187 ;
-  assign \address$189  = step[24:15];
+  assign \address$189  = step[26:17];
   assign \write_en$190  = unit_en[8];
-  assign \write$191  = { \$73 [647:576], \$71  };
+  assign \write$191  = { \$74 [647:576], \$72  };
   assign \activations$192  = activations;
   assign \control$193  = control;
   assign \shift$194  = shift;
   assign \chain_o$196  = \chain_i$195 ;
-  assign \address$197  = step[24:15];
+  assign \address$197  = step[26:17];
   assign \write_en$198  = unit_en[9];
-  assign \write$199  = { \$73 [647:576], \$71  };
+  assign \write$199  = { \$74 [647:576], \$72  };
   assign \activations$200  = activations;
   assign \control$201  = control;
   assign \shift$202  = shift;
   assign \chain_o$204  = \chain_i$203 ;
-  assign \address$205  = step[24:15];
+  assign \address$205  = step[26:17];
   assign \write_en$206  = unit_en[10];
-  assign \write$207  = { \$73 [647:576], \$71  };
+  assign \write$207  = { \$74 [647:576], \$72  };
   assign \activations$208  = activations;
   assign \control$209  = control;
   assign \shift$210  = shift;
   assign \chain_o$212  = \chain_i$211 ;
-  assign \address$213  = step[24:15];
+  assign \address$213  = step[26:17];
   assign \write_en$214  = unit_en[11];
-  assign \write$215  = { \$73 [647:576], \$71  };
+  assign \write$215  = { \$74 [647:576], \$72  };
   assign \activations$216  = activations;
   assign \control$217  = control;
   assign \shift$218  = shift;
   assign \chain_o$220  = \chain_i$219 ;
-  assign \address$221  = step[24:15];
+  assign \address$221  = step[26:17];
   assign \write_en$222  = unit_en[12];
-  assign \write$223  = { \$73 [647:576], \$71  };
+  assign \write$223  = { \$74 [647:576], \$72  };
   assign \activations$224  = activations;
   assign \control$225  = control;
   assign \shift$226  = shift;
   assign \chain_o$228  = \chain_i$227 ;
-  assign \address$229  = step[24:15];
+  assign \address$229  = step[26:17];
   assign \write_en$230  = unit_en[13];
-  assign \write$231  = { \$73 [647:576], \$71  };
+  assign \write$231  = { \$74 [647:576], \$72  };
   assign \activations$232  = activations;
   assign \control$233  = control;
   assign \shift$234  = shift;
   assign \chain_o$236  = \chain_i$235 ;
-  assign \address$237  = step[24:15];
+  assign \address$237  = step[26:17];
   assign \write_en$238  = unit_en[14];
-  assign \write$239  = { \$73 [647:576], \$71  };
+  assign \write$239  = { \$74 [647:576], \$72  };
   assign \activations$240  = activations;
   assign \control$241  = control;
   assign \shift$242  = shift;
   assign \chain_o$244  = \chain_i$243 ;
-  assign \address$245  = step[24:15];
+  assign \address$245  = step[26:17];
   assign \write_en$246  = unit_en[15];
-  assign \write$247  = { \$73 [647:576], \$71  };
+  assign \write$247  = { \$74 [647:576], \$72  };
   assign \activations$248  = activations;
   assign \control$249  = control;
   assign \shift$250  = shift;
   assign \chain_o$252  = \chain_i$251 ;
-  assign \address$253  = step[24:15];
+  assign \address$253  = step[26:17];
   assign \write_en$254  = unit_en[16];
-  assign \write$255  = { \$73 [647:576], \$71  };
+  assign \write$255  = { \$74 [647:576], \$72  };
   assign \activations$256  = activations;
   assign \control$257  = control;
   assign \shift$258  = shift;
   assign \chain_o$260  = \chain_i$259 ;
-  assign \address$261  = step[24:15];
+  assign \address$261  = step[26:17];
   assign \write_en$262  = unit_en[17];
-  assign \write$263  = { \$73 [647:576], \$71  };
+  assign \write$263  = { \$74 [647:576], \$72  };
   assign \activations$264  = activations;
   assign \control$265  = control;
   assign \shift$266  = shift;
   assign \chain_o$268  = \chain_i$267 ;
-  assign \address$269  = step[24:15];
+  assign \address$269  = step[26:17];
   assign \write_en$270  = unit_en[18];
-  assign \write$271  = { \$73 [647:576], \$71  };
+  assign \write$271  = { \$74 [647:576], \$72  };
   assign \activations$272  = activations;
   assign \control$273  = control;
   assign \shift$274  = shift;
   assign \chain_o$276  = \chain_i$275 ;
-  assign \address$277  = step[24:15];
+  assign \address$277  = step[26:17];
   assign \write_en$278  = unit_en[19];
-  assign \write$279  = { \$73 [647:576], \$71  };
+  assign \write$279  = { \$74 [647:576], \$72  };
   assign \activations$280  = activations;
   assign \control$281  = control;
   assign \shift$282  = shift;
   assign \chain_o$284  = \chain_i$283 ;
-  assign \address$285  = step[24:15];
+  assign \address$285  = step[26:17];
   assign \write_en$286  = unit_en[20];
-  assign \write$287  = { \$73 [647:576], \$71  };
+  assign \write$287  = { \$74 [647:576], \$72  };
   assign \activations$288  = activations;
   assign \control$289  = control;
   assign \shift$290  = shift;
   assign \chain_o$292  = \chain_i$291 ;
-  assign \address$293  = step[24:15];
+  assign \address$293  = step[26:17];
   assign \write_en$294  = unit_en[21];
-  assign \write$295  = { \$73 [647:576], \$71  };
+  assign \write$295  = { \$74 [647:576], \$72  };
   assign \activations$296  = activations;
   assign \control$297  = control;
   assign \shift$298  = shift;
   assign \chain_o$300  = \chain_i$299 ;
-  assign \address$301  = step[24:15];
+  assign \address$301  = step[26:17];
   assign \write_en$302  = unit_en[22];
-  assign \write$303  = { \$73 [647:576], \$71  };
+  assign \write$303  = { \$74 [647:576], \$72  };
   assign \activations$304  = activations;
   assign \control$305  = control;
   assign \shift$306  = shift;
   assign \chain_o$308  = \chain_i$307 ;
-  assign \address$309  = step[24:15];
+  assign \address$309  = step[26:17];
   assign \write_en$310  = unit_en[23];
-  assign \write$311  = { \$73 [647:576], \$71  };
+  assign \write$311  = { \$74 [647:576], \$72  };
   assign \activations$312  = activations;
   assign \control$313  = control;
   assign \shift$314  = shift;
   assign \chain_o$316  = \chain_i$315 ;
-  assign \address$317  = step[24:15];
+  assign \address$317  = step[26:17];
   assign \write_en$318  = unit_en[24];
-  assign \write$319  = { \$73 [647:576], \$71  };
+  assign \write$319  = { \$74 [647:576], \$72  };
   assign \activations$320  = activations;
   assign \control$321  = control;
   assign \shift$322  = shift;
   assign \chain_o$324  = \chain_i$323 ;
-  assign \address$325  = step[24:15];
+  assign \address$325  = step[26:17];
   assign \write_en$326  = unit_en[25];
-  assign \write$327  = { \$73 [647:576], \$71  };
+  assign \write$327  = { \$74 [647:576], \$72  };
   assign \activations$328  = activations;
   assign \control$329  = control;
   assign \shift$330  = shift;
   assign \chain_o$332  = \chain_i$331 ;
-  assign \address$333  = step[24:15];
+  assign \address$333  = step[26:17];
   assign \write_en$334  = unit_en[26];
-  assign \write$335  = { \$73 [647:576], \$71  };
+  assign \write$335  = { \$74 [647:576], \$72  };
   assign \activations$336  = activations;
   assign \control$337  = control;
   assign \shift$338  = shift;
   assign \chain_o$340  = \chain_i$339 ;
-  assign \address$341  = step[24:15];
+  assign \address$341  = step[26:17];
   assign \write_en$342  = unit_en[27];
-  assign \write$343  = { \$73 [647:576], \$71  };
+  assign \write$343  = { \$74 [647:576], \$72  };
   assign \activations$344  = activations;
   assign \control$345  = control;
   assign \shift$346  = shift;
   assign \chain_o$348  = \chain_i$347 ;
-  assign \address$349  = step[24:15];
+  assign \address$349  = step[26:17];
   assign \write_en$350  = unit_en[28];
-  assign \write$351  = { \$73 [647:576], \$71  };
+  assign \write$351  = { \$74 [647:576], \$72  };
   assign \activations$352  = activations;
   assign \control$353  = control;
   assign \shift$354  = shift;
   assign \chain_o$356  = \chain_i$355 ;
-  assign \address$357  = step[24:15];
+  assign \address$357  = step[26:17];
   assign \write_en$358  = unit_en[29];
-  assign \write$359  = { \$73 [647:576], \$71  };
+  assign \write$359  = { \$74 [647:576], \$72  };
   assign \activations$360  = activations;
   assign \control$361  = control;
   assign \shift$362  = shift;
   assign \chain_o$364  = \chain_i$363 ;
-  assign \address$365  = step[24:15];
+  assign \address$365  = step[26:17];
   assign \write_en$366  = unit_en[30];
-  assign \write$367  = { \$73 [647:576], \$71  };
+  assign \write$367  = { \$74 [647:576], \$72  };
   assign \activations$368  = activations;
   assign \control$369  = control;
   assign \shift$370  = shift;
   assign \chain_o$372  = \chain_i$371 ;
-  assign \address$373  = step[24:15];
+  assign \address$373  = step[26:17];
   assign \write_en$374  = unit_en[31];
-  assign \write$375  = { \$73 [647:576], \$71  };
+  assign \write$375  = { \$74 [647:576], \$72  };
   assign \activations$376  = activations;
   assign \control$377  = control;
   assign \shift$378  = shift;
   assign \chain_o$380  = \chain_i$379 ;
-  assign \address$381  = step[24:15];
+  assign \address$381  = step[26:17];
   assign \write_en$382  = unit_en[32];
-  assign \write$383  = { \$73 [647:576], \$71  };
+  assign \write$383  = { \$74 [647:576], \$72  };
   assign \activations$384  = activations;
   assign \control$385  = control;
   assign \shift$386  = shift;
   assign \chain_o$388  = \chain_i$387 ;
-  assign \address$389  = step[24:15];
+  assign \address$389  = step[26:17];
   assign \write_en$390  = unit_en[33];
-  assign \write$391  = { \$73 [647:576], \$71  };
+  assign \write$391  = { \$74 [647:576], \$72  };
   assign \activations$392  = activations;
   assign \control$393  = control;
   assign \shift$394  = shift;
   assign \chain_o$396  = \chain_i$395 ;
-  assign \address$397  = step[24:15];
+  assign \address$397  = step[26:17];
   assign \write_en$398  = unit_en[34];
-  assign \write$399  = { \$73 [647:576], \$71  };
+  assign \write$399  = { \$74 [647:576], \$72  };
   assign \activations$400  = activations;
   assign \control$401  = control;
   assign \shift$402  = shift;
   assign \chain_o$404  = \chain_i$403 ;
-  assign \address$405  = step[24:15];
+  assign \address$405  = step[26:17];
   assign \write_en$406  = unit_en[35];
-  assign \write$407  = { \$73 [647:576], \$71  };
+  assign \write$407  = { \$74 [647:576], \$72  };
   assign \activations$408  = activations;
   assign \control$409  = control;
   assign \shift$410  = shift;
   assign \chain_o$412  = \chain_i$411 ;
-  assign \address$413  = step[24:15];
+  assign \address$413  = step[26:17];
   assign \write_en$414  = unit_en[36];
-  assign \write$415  = { \$73 [647:576], \$71  };
+  assign \write$415  = { \$74 [647:576], \$72  };
   assign \activations$416  = activations;
   assign \control$417  = control;
   assign \shift$418  = shift;
   assign \chain_o$420  = \chain_i$419 ;
-  assign \address$421  = step[24:15];
+  assign \address$421  = step[26:17];
   assign \write_en$422  = unit_en[37];
-  assign \write$423  = { \$73 [647:576], \$71  };
+  assign \write$423  = { \$74 [647:576], \$72  };
   assign \activations$424  = activations;
   assign \control$425  = control;
   assign \shift$426  = shift;
   assign \chain_o$428  = \chain_i$427 ;
-  assign \address$429  = step[24:15];
+  assign \address$429  = step[26:17];
   assign \write_en$430  = unit_en[38];
-  assign \write$431  = { \$73 [647:576], \$71  };
+  assign \write$431  = { \$74 [647:576], \$72  };
   assign \activations$432  = activations;
   assign \control$433  = control;
   assign \shift$434  = shift;
   assign \chain_o$436  = \chain_i$435 ;
-  assign \address$437  = step[24:15];
+  assign \address$437  = step[26:17];
   assign \write_en$438  = unit_en[39];
-  assign \write$439  = { \$73 [647:576], \$71  };
+  assign \write$439  = { \$74 [647:576], \$72  };
   assign \activations$440  = activations;
   assign \control$441  = control;
   assign \shift$442  = shift;
   assign \chain_o$444  = \chain_i$443 ;
-  assign \address$445  = step[24:15];
+  assign \address$445  = step[26:17];
   assign \write_en$446  = unit_en[40];
-  assign \write$447  = { \$73 [647:576], \$71  };
+  assign \write$447  = { \$74 [647:576], \$72  };
   assign \activations$448  = activations;
   assign \control$449  = control;
   assign \shift$450  = shift;
   assign \chain_o$452  = \chain_i$451 ;
-  assign \address$453  = step[24:15];
+  assign \address$453  = step[26:17];
   assign \write_en$454  = unit_en[41];
-  assign \write$455  = { \$73 [647:576], \$71  };
+  assign \write$455  = { \$74 [647:576], \$72  };
   assign \activations$456  = activations;
   assign \control$457  = control;
   assign \shift$458  = shift;
   assign \chain_o$460  = \chain_i$459 ;
-  assign \address$461  = step[24:15];
+  assign \address$461  = step[26:17];
   assign \write_en$462  = unit_en[42];
-  assign \write$463  = { \$73 [647:576], \$71  };
+  assign \write$463  = { \$74 [647:576], \$72  };
   assign \activations$464  = activations;
   assign \control$465  = control;
   assign \shift$466  = shift;
   assign \chain_o$468  = \chain_i$467 ;
-  assign \address$469  = step[24:15];
+  assign \address$469  = step[26:17];
   assign \write_en$470  = unit_en[43];
-  assign \write$471  = { \$73 [647:576], \$71  };
+  assign \write$471  = { \$74 [647:576], \$72  };
   assign \activations$472  = activations;
   assign \control$473  = control;
   assign \shift$474  = shift;
   assign \chain_o$476  = \chain_i$475 ;
-  assign \address$477  = step[24:15];
+  assign \address$477  = step[26:17];
   assign \write_en$478  = unit_en[44];
-  assign \write$479  = { \$73 [647:576], \$71  };
+  assign \write$479  = { \$74 [647:576], \$72  };
   assign \activations$480  = activations;
   assign \control$481  = control;
   assign \shift$482  = shift;
   assign \chain_o$484  = \chain_i$483 ;
-  assign \address$485  = step[24:15];
+  assign \address$485  = step[26:17];
   assign \write_en$486  = unit_en[45];
-  assign \write$487  = { \$73 [647:576], \$71  };
+  assign \write$487  = { \$74 [647:576], \$72  };
   assign \activations$488  = activations;
   assign \control$489  = control;
   assign \shift$490  = shift;
   assign \chain_o$492  = \chain_i$491 ;
-  assign \address$493  = step[24:15];
+  assign \address$493  = step[26:17];
   assign \write_en$494  = unit_en[46];
-  assign \write$495  = { \$73 [647:576], \$71  };
+  assign \write$495  = { \$74 [647:576], \$72  };
   assign \activations$496  = activations;
   assign \control$497  = control;
   assign \shift$498  = shift;
   assign \chain_o$500  = \chain_i$499 ;
-  assign \address$501  = step[24:15];
+  assign \address$501  = step[26:17];
   assign \write_en$502  = unit_en[47];
-  assign \write$503  = { \$73 [647:576], \$71  };
+  assign \write$503  = { \$74 [647:576], \$72  };
   assign \activations$504  = activations;
   assign \control$505  = control;
   assign \shift$506  = shift;
   assign \chain_o$508  = \chain_i$507 ;
-  assign \address$509  = step[24:15];
+  assign \address$509  = step[26:17];
   assign \write_en$510  = unit_en[48];
-  assign \write$511  = { \$73 [647:576], \$71  };
+  assign \write$511  = { \$74 [647:576], \$72  };
   assign \activations$512  = activations;
   assign \control$513  = control;
   assign \shift$514  = shift;
   assign \chain_o$516  = \chain_i$515 ;
-  assign \address$517  = step[24:15];
+  assign \address$517  = step[26:17];
   assign \write_en$518  = unit_en[49];
-  assign \write$519  = { \$73 [647:576], \$71  };
+  assign \write$519  = { \$74 [647:576], \$72  };
   assign \activations$520  = activations;
   assign \control$521  = control;
   assign \shift$522  = shift;
   assign \chain_o$524  = \chain_i$523 ;
-  assign \address$525  = step[24:15];
+  assign \address$525  = step[26:17];
   assign \write_en$526  = unit_en[50];
-  assign \write$527  = { \$73 [647:576], \$71  };
+  assign \write$527  = { \$74 [647:576], \$72  };
   assign \activations$528  = activations;
   assign \control$529  = control;
   assign \shift$530  = shift;
   assign \chain_o$532  = \chain_i$531 ;
-  assign \address$533  = step[24:15];
+  assign \address$533  = step[26:17];
   assign \write_en$534  = unit_en[51];
-  assign \write$535  = { \$73 [647:576], \$71  };
+  assign \write$535  = { \$74 [647:576], \$72  };
   assign \activations$536  = activations;
   assign \control$537  = control;
   assign \shift$538  = shift;
   assign \chain_o$540  = \chain_i$539 ;
-  assign \address$541  = step[24:15];
+  assign \address$541  = step[26:17];
   assign \write_en$542  = unit_en[52];
-  assign \write$543  = { \$73 [647:576], \$71  };
+  assign \write$543  = { \$74 [647:576], \$72  };
   assign \activations$544  = activations;
   assign \control$545  = control;
   assign \shift$546  = shift;
   assign \chain_o$548  = \chain_i$547 ;
-  assign \address$549  = step[24:15];
+  assign \address$549  = step[26:17];
   assign \write_en$550  = unit_en[53];
-  assign \write$551  = { \$73 [647:576], \$71  };
+  assign \write$551  = { \$74 [647:576], \$72  };
   assign \activations$552  = activations;
   assign \control$553  = control;
   assign \shift$554  = shift;
   assign \chain_o$556  = \chain_i$555 ;
-  assign \address$557  = step[24:15];
+  assign \address$557  = step[26:17];
   assign \write_en$558  = unit_en[54];
-  assign \write$559  = { \$73 [647:576], \$71  };
+  assign \write$559  = { \$74 [647:576], \$72  };
   assign \activations$560  = activations;
   assign \control$561  = control;
   assign \shift$562  = shift;
   assign \chain_o$564  = \chain_i$563 ;
-  assign \address$565  = step[24:15];
+  assign \address$565  = step[26:17];
   assign \write_en$566  = unit_en[55];
-  assign \write$567  = { \$73 [647:576], \$71  };
+  assign \write$567  = { \$74 [647:576], \$72  };
   assign \activations$568  = activations;
   assign \control$569  = control;
   assign \shift$570  = shift;
   assign \chain_o$572  = \chain_i$571 ;
-  assign \address$573  = step[24:15];
+  assign \address$573  = step[26:17];
   assign \write_en$574  = unit_en[56];
-  assign \write$575  = { \$73 [647:576], \$71  };
+  assign \write$575  = { \$74 [647:576], \$72  };
   assign \activations$576  = activations;
   assign \control$577  = control;
   assign \shift$578  = shift;
   assign \chain_o$580  = \chain_i$579 ;
-  assign \address$581  = step[24:15];
+  assign \address$581  = step[26:17];
   assign \write_en$582  = unit_en[57];
-  assign \write$583  = { \$73 [647:576], \$71  };
+  assign \write$583  = { \$74 [647:576], \$72  };
   assign \activations$584  = activations;
   assign \control$585  = control;
   assign \shift$586  = shift;
   assign \chain_o$588  = \chain_i$587 ;
-  assign \address$589  = step[24:15];
+  assign \address$589  = step[26:17];
   assign \write_en$590  = unit_en[58];
-  assign \write$591  = { \$73 [647:576], \$71  };
+  assign \write$591  = { \$74 [647:576], \$72  };
   assign \activations$592  = activations;
   assign \control$593  = control;
   assign \shift$594  = shift;
   assign \chain_o$596  = \chain_i$595 ;
-  assign \address$597  = step[24:15];
+  assign \address$597  = step[26:17];
   assign \write_en$598  = unit_en[59];
-  assign \write$599  = { \$73 [647:576], \$71  };
+  assign \write$599  = { \$74 [647:576], \$72  };
   assign \activations$600  = activations;
   assign \control$601  = control;
   assign \shift$602  = shift;
   assign \chain_o$604  = \chain_i$603 ;
-  assign \address$605  = step[24:15];
+  assign \address$605  = step[26:17];
   assign \write_en$606  = unit_en[60];
-  assign \write$607  = { \$73 [647:576], \$71  };
+  assign \write$607  = { \$74 [647:576], \$72  };
   assign \activations$608  = activations;
   assign \control$609  = control;
   assign \shift$610  = shift;
-  assign \address$611  = step[24:15];
-  assign \write_en$612  = unit_en[61];
-  assign \write$613  = { \$73 [647:576], \$71  };
-  assign \activations$614  = activations;
-  assign \control$615  = control;
-  assign \shift$616  = shift;
-  assign \address$617  = step[24:15];
-  assign \write_en$618  = unit_en[62];
-  assign \write$619  = { \$73 [647:576], \$71  };
-  assign \activations$620  = activations;
-  assign \control$621  = control;
-  assign \shift$622  = shift;
-  assign \address$623  = step[24:15];
-  assign \write_en$624  = unit_en[63];
-  assign \write$625  = { \$73 [647:576], \$71  };
-  assign \activations$626  = activations;
-  assign \control$627  = control;
-  assign \shift$628  = shift;
-  assign soft_reset = \port$1218$0 [3];
+  assign \chain_i$611  = chain_o;
+  assign \address$612  = step[26:17];
+  assign \write_en$613  = unit_en[61];
+  assign \write$614  = { \$74 [647:576], \$72  };
+  assign \activations$615  = activations;
+  assign \control$616  = control;
+  assign \shift$617  = shift;
+  assign \chain_i$618  = \chain_o$136 ;
+  assign \address$619  = step[26:17];
+  assign \write_en$620  = unit_en[62];
+  assign \write$621  = { \$74 [647:576], \$72  };
+  assign \activations$622  = activations;
+  assign \control$623  = control;
+  assign \shift$624  = shift;
+  assign \chain_i$625  = \chain_o$145 ;
+  assign \address$626  = step[26:17];
+  assign \write_en$627  = unit_en[63];
+  assign \write$628  = { \$74 [647:576], \$72  };
+  assign \activations$629  = activations;
+  assign \control$630  = control;
+  assign \shift$631  = shift;
+  assign \chain_i$632  = \chain_o$154 ;
+  assign soft_reset = \port$1314$0 [3];
   assign \i__payload.data  = i__payload[47:0];
   assign \i__payload.pixel_last  = i__payload[48];
   assign \i__payload.last  = i__payload[49];
@@ -4307,10 +4502,11 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \shape.beats_out  = shape[163:148];
   assign \shape.pointwise  = shape[164];
   assign \shape.halved  = shape[165];
-  assign \shape.biased  = shape[166];
-  assign \shape.residual  = shape[167];
-  assign \shape.out_width  = shape[183:168];
-  assign \shape.beats_residual  = shape[199:184];
+  assign \shape.packed  = shape[166];
+  assign \shape.biased  = shape[167];
+  assign \shape.residual  = shape[168];
+  assign \shape.out_width  = shape[184:169];
+  assign \shape.beats_residual  = shape[200:185];
   assign \shape$61.height  = shape[15:0];
   assign \shape$61.width  = shape[31:16];
   assign \shape$61.out_height  = shape[47:32];
@@ -4325,10 +4521,11 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \shape$61.beats_out  = shape[163:148];
   assign \shape$61.pointwise  = shape[164];
   assign \shape$61.halved  = shape[165];
-  assign \shape$61.biased  = shape[166];
-  assign \shape$61.residual  = shape[167];
-  assign \shape$61.out_width  = shape[183:168];
-  assign \shape$61.beats_residual  = shape[199:184];
+  assign \shape$61.packed  = shape[166];
+  assign \shape$61.biased  = shape[167];
+  assign \shape$61.residual  = shape[168];
+  assign \shape$61.out_width  = shape[184:169];
+  assign \shape$61.beats_residual  = shape[200:185];
   assign \i__payload$62.data  = \i__payload$62 [63:0];
   assign \i__payload$62.last  = \i__payload$62 [64];
   assign \i__payload$63.data  = \i__payload$62 [63:0];
@@ -4347,10 +4544,11 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \shape$80.beats_out  = shape[163:148];
   assign \shape$80.pointwise  = shape[164];
   assign \shape$80.halved  = shape[165];
-  assign \shape$80.biased  = shape[166];
-  assign \shape$80.residual  = shape[167];
-  assign \shape$80.out_width  = shape[183:168];
-  assign \shape$80.beats_residual  = shape[199:184];
+  assign \shape$80.packed  = shape[166];
+  assign \shape$80.biased  = shape[167];
+  assign \shape$80.residual  = shape[168];
+  assign \shape$80.out_width  = shape[184:169];
+  assign \shape$80.beats_residual  = shape[200:185];
   assign \shape$81.height  = shape[15:0];
   assign \shape$81.width  = shape[31:16];
   assign \shape$81.out_height  = shape[47:32];
@@ -4365,10 +4563,11 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \shape$81.beats_out  = shape[163:148];
   assign \shape$81.pointwise  = shape[164];
   assign \shape$81.halved  = shape[165];
-  assign \shape$81.biased  = shape[166];
-  assign \shape$81.residual  = shape[167];
-  assign \shape$81.out_width  = shape[183:168];
-  assign \shape$81.beats_residual  = shape[199:184];
+  assign \shape$81.packed  = shape[166];
+  assign \shape$81.biased  = shape[167];
+  assign \shape$81.residual  = shape[168];
+  assign \shape$81.out_width  = shape[184:169];
+  assign \shape$81.beats_residual  = shape[200:185];
   assign \shape$82.height  = shape[15:0];
   assign \shape$82.width  = shape[31:16];
   assign \shape$82.out_height  = shape[47:32];
@@ -4383,65 +4582,87 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \shape$82.beats_out  = shape[163:148];
   assign \shape$82.pointwise  = shape[164];
   assign \shape$82.halved  = shape[165];
-  assign \shape$82.biased  = shape[166];
-  assign \shape$82.residual  = shape[167];
-  assign \shape$82.out_width  = shape[183:168];
-  assign \shape$82.beats_residual  = shape[199:184];
+  assign \shape$82.packed  = shape[166];
+  assign \shape$82.biased  = shape[167];
+  assign \shape$82.residual  = shape[168];
+  assign \shape$82.out_width  = shape[184:169];
+  assign \shape$82.beats_residual  = shape[200:185];
   assign \read.slot  = step[1:0];
   assign \read.address  = step[9:2];
   assign \read.bank  = step[10];
   assign \read.mask  = step[14:11];
-  assign \step.read  = step[14:0];
+  assign \read.apart  = step[15];
+  assign \read.inner  = step[16];
+  assign \step.read  = step[16:0];
   assign \step.read.slot  = step[1:0];
   assign \step.read.address  = step[9:2];
   assign \step.read.bank  = step[10];
   assign \step.read.mask  = step[14:11];
-  assign \step.weight  = step[24:15];
-  assign \step.control  = step[32:25];
-  assign \step.control.en  = step[25];
-  assign \step.control.first  = step[26];
-  assign \step.control.last  = step[27];
-  assign \step.control.edge  = step[28];
-  assign \step.control.tile  = step[32:29];
-  assign \step.info  = step[43:33];
-  assign \step.info.tile  = step[36:33];
-  assign \step.info.tile_last  = step[37];
-  assign \step.info.slots  = step[41:38];
-  assign \step.info.edge  = step[42];
-  assign \step.info.image_last  = step[43];
-  assign \write.addr  = \$72 ;
-  assign \write.data  = \$73 ;
-  assign \requant.addr  = \$72 ;
-  assign \requant.data  = \$73 ;
+  assign \step.read.apart  = step[15];
+  assign \step.read.inner  = step[16];
+  assign \step.weight  = step[26:17];
+  assign \step.control  = step[36:27];
+  assign \step.control.en  = step[27];
+  assign \step.control.first  = step[28];
+  assign \step.control.carried  = step[29];
+  assign \step.control.last  = step[30];
+  assign \step.control.edge  = step[31];
+  assign \step.control.tile  = step[35:32];
+  assign \step.control.unload  = step[36];
+  assign \step.info  = step[50:37];
+  assign \step.info.tile  = step[40:37];
+  assign \step.info.tile_last  = step[41];
+  assign \step.info.slots  = step[45:42];
+  assign \step.info.edge  = step[46];
+  assign \step.info.image_last  = step[47];
+  assign \step.info.triple  = step[48];
+  assign \step.info.inner  = step[49];
+  assign \step.info.unloaded  = step[50];
+  assign \write.addr  = \$73 ;
+  assign \write.data  = \$74 ;
+  assign \requant.addr  = \$73 ;
+  assign \requant.data  = \$74 ;
   assign \control3.en  = control3[0];
   assign \control3.first  = control3[1];
-  assign \control3.last  = control3[2];
-  assign \control3.edge  = control3[3];
-  assign \control3.tile  = control3[7:4];
+  assign \control3.carried  = control3[2];
+  assign \control3.last  = control3[3];
+  assign \control3.edge  = control3[4];
+  assign \control3.tile  = control3[8:5];
+  assign \control3.unload  = control3[9];
   assign \info.tile  = info[3:0];
   assign \info.tile_last  = info[4];
   assign \info.slots  = info[8:5];
   assign \info.edge  = info[9];
   assign \info.image_last  = info[10];
+  assign \info.triple  = info[11];
+  assign \info.inner  = info[12];
+  assign \info.unloaded  = info[13];
   assign \info3.tile  = info[3:0];
   assign \info3.tile_last  = info[4];
   assign \info3.slots  = info[8:5];
   assign \info3.edge  = info[9];
   assign \info3.image_last  = info[10];
-  assign \write$118.addr  = \$71 ;
-  assign \write$118.data  = \$73 [647:576];
-  assign \weight.addr  = \$71 ;
-  assign \weight.data  = \$73 [647:576];
+  assign \info3.triple  = info[11];
+  assign \info3.inner  = info[12];
+  assign \info3.unloaded  = info[13];
+  assign \write$118.addr  = \$72 ;
+  assign \write$118.data  = \$74 [647:576];
+  assign \weight.addr  = \$72 ;
+  assign \weight.data  = \$74 [647:576];
   assign \control.en  = control[0];
   assign \control.first  = control[1];
-  assign \control.last  = control[2];
-  assign \control.edge  = control[3];
-  assign \control.tile  = control[7:4];
+  assign \control.carried  = control[2];
+  assign \control.last  = control[3];
+  assign \control.edge  = control[4];
+  assign \control.tile  = control[8:5];
+  assign \control.unload  = control[9];
   assign \control2.en  = control[0];
   assign \control2.first  = control[1];
-  assign \control2.last  = control[2];
-  assign \control2.edge  = control[3];
-  assign \control2.tile  = control[7:4];
+  assign \control2.carried  = control[2];
+  assign \control2.last  = control[3];
+  assign \control2.edge  = control[4];
+  assign \control2.tile  = control[8:5];
+  assign \control2.unload  = control[9];
   assign \heads[0]  = heads[75:0];
   assign \heads[0][0]  = heads[18:0];
   assign \heads[0][1]  = heads[37:19];
@@ -4474,13 +4695,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$129[1]  = chain_i[37:19];
   assign \chain_o$129[2]  = chain_i[56:38];
   assign \chain_o$129[3]  = chain_i[75:57];
-  assign \write$132.addr  = \$71 ;
-  assign \write$132.data  = \$73 [647:576];
+  assign \write$132.addr  = \$72 ;
+  assign \write$132.data  = \$74 [647:576];
   assign \control$134.en  = control[0];
   assign \control$134.first  = control[1];
-  assign \control$134.last  = control[2];
-  assign \control$134.edge  = control[3];
-  assign \control$134.tile  = control[7:4];
+  assign \control$134.carried  = control[2];
+  assign \control$134.last  = control[3];
+  assign \control$134.edge  = control[4];
+  assign \control$134.tile  = control[8:5];
+  assign \control$134.unload  = control[9];
   assign \chain_o$136[0]  = \chain_o$136 [18:0];
   assign \chain_o$136[1]  = \chain_o$136 [37:19];
   assign \chain_o$136[2]  = \chain_o$136 [56:38];
@@ -4493,13 +4716,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$138[1]  = \chain_i$137 [37:19];
   assign \chain_o$138[2]  = \chain_i$137 [56:38];
   assign \chain_o$138[3]  = \chain_i$137 [75:57];
-  assign \write$141.addr  = \$71 ;
-  assign \write$141.data  = \$73 [647:576];
+  assign \write$141.addr  = \$72 ;
+  assign \write$141.data  = \$74 [647:576];
   assign \control$143.en  = control[0];
   assign \control$143.first  = control[1];
-  assign \control$143.last  = control[2];
-  assign \control$143.edge  = control[3];
-  assign \control$143.tile  = control[7:4];
+  assign \control$143.carried  = control[2];
+  assign \control$143.last  = control[3];
+  assign \control$143.edge  = control[4];
+  assign \control$143.tile  = control[8:5];
+  assign \control$143.unload  = control[9];
   assign \chain_o$145[0]  = \chain_o$145 [18:0];
   assign \chain_o$145[1]  = \chain_o$145 [37:19];
   assign \chain_o$145[2]  = \chain_o$145 [56:38];
@@ -4512,13 +4737,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$147[1]  = \chain_i$146 [37:19];
   assign \chain_o$147[2]  = \chain_i$146 [56:38];
   assign \chain_o$147[3]  = \chain_i$146 [75:57];
-  assign \write$150.addr  = \$71 ;
-  assign \write$150.data  = \$73 [647:576];
+  assign \write$150.addr  = \$72 ;
+  assign \write$150.data  = \$74 [647:576];
   assign \control$152.en  = control[0];
   assign \control$152.first  = control[1];
-  assign \control$152.last  = control[2];
-  assign \control$152.edge  = control[3];
-  assign \control$152.tile  = control[7:4];
+  assign \control$152.carried  = control[2];
+  assign \control$152.last  = control[3];
+  assign \control$152.edge  = control[4];
+  assign \control$152.tile  = control[8:5];
+  assign \control$152.unload  = control[9];
   assign \chain_o$154[0]  = \chain_o$154 [18:0];
   assign \chain_o$154[1]  = \chain_o$154 [37:19];
   assign \chain_o$154[2]  = \chain_o$154 [56:38];
@@ -4531,13 +4758,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$156[1]  = \chain_i$155 [37:19];
   assign \chain_o$156[2]  = \chain_i$155 [56:38];
   assign \chain_o$156[3]  = \chain_i$155 [75:57];
-  assign \write$159.addr  = \$71 ;
-  assign \write$159.data  = \$73 [647:576];
+  assign \write$159.addr  = \$72 ;
+  assign \write$159.data  = \$74 [647:576];
   assign \control$161.en  = control[0];
   assign \control$161.first  = control[1];
-  assign \control$161.last  = control[2];
-  assign \control$161.edge  = control[3];
-  assign \control$161.tile  = control[7:4];
+  assign \control$161.carried  = control[2];
+  assign \control$161.last  = control[3];
+  assign \control$161.edge  = control[4];
+  assign \control$161.tile  = control[8:5];
+  assign \control$161.unload  = control[9];
   assign \chain_i$163[0]  = \chain_i$163 [18:0];
   assign \chain_i$163[1]  = \chain_i$163 [37:19];
   assign \chain_i$163[2]  = \chain_i$163 [56:38];
@@ -4546,13 +4775,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$164[1]  = \chain_i$163 [37:19];
   assign \chain_o$164[2]  = \chain_i$163 [56:38];
   assign \chain_o$164[3]  = \chain_i$163 [75:57];
-  assign \write$167.addr  = \$71 ;
-  assign \write$167.data  = \$73 [647:576];
+  assign \write$167.addr  = \$72 ;
+  assign \write$167.data  = \$74 [647:576];
   assign \control$169.en  = control[0];
   assign \control$169.first  = control[1];
-  assign \control$169.last  = control[2];
-  assign \control$169.edge  = control[3];
-  assign \control$169.tile  = control[7:4];
+  assign \control$169.carried  = control[2];
+  assign \control$169.last  = control[3];
+  assign \control$169.edge  = control[4];
+  assign \control$169.tile  = control[8:5];
+  assign \control$169.unload  = control[9];
   assign \chain_i$171[0]  = \chain_i$171 [18:0];
   assign \chain_i$171[1]  = \chain_i$171 [37:19];
   assign \chain_i$171[2]  = \chain_i$171 [56:38];
@@ -4561,13 +4792,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$172[1]  = \chain_i$171 [37:19];
   assign \chain_o$172[2]  = \chain_i$171 [56:38];
   assign \chain_o$172[3]  = \chain_i$171 [75:57];
-  assign \write$175.addr  = \$71 ;
-  assign \write$175.data  = \$73 [647:576];
+  assign \write$175.addr  = \$72 ;
+  assign \write$175.data  = \$74 [647:576];
   assign \control$177.en  = control[0];
   assign \control$177.first  = control[1];
-  assign \control$177.last  = control[2];
-  assign \control$177.edge  = control[3];
-  assign \control$177.tile  = control[7:4];
+  assign \control$177.carried  = control[2];
+  assign \control$177.last  = control[3];
+  assign \control$177.edge  = control[4];
+  assign \control$177.tile  = control[8:5];
+  assign \control$177.unload  = control[9];
   assign \chain_i$179[0]  = \chain_i$179 [18:0];
   assign \chain_i$179[1]  = \chain_i$179 [37:19];
   assign \chain_i$179[2]  = \chain_i$179 [56:38];
@@ -4576,13 +4809,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$180[1]  = \chain_i$179 [37:19];
   assign \chain_o$180[2]  = \chain_i$179 [56:38];
   assign \chain_o$180[3]  = \chain_i$179 [75:57];
-  assign \write$183.addr  = \$71 ;
-  assign \write$183.data  = \$73 [647:576];
+  assign \write$183.addr  = \$72 ;
+  assign \write$183.data  = \$74 [647:576];
   assign \control$185.en  = control[0];
   assign \control$185.first  = control[1];
-  assign \control$185.last  = control[2];
-  assign \control$185.edge  = control[3];
-  assign \control$185.tile  = control[7:4];
+  assign \control$185.carried  = control[2];
+  assign \control$185.last  = control[3];
+  assign \control$185.edge  = control[4];
+  assign \control$185.tile  = control[8:5];
+  assign \control$185.unload  = control[9];
   assign \chain_i$187[0]  = \chain_i$187 [18:0];
   assign \chain_i$187[1]  = \chain_i$187 [37:19];
   assign \chain_i$187[2]  = \chain_i$187 [56:38];
@@ -4591,13 +4826,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$188[1]  = \chain_i$187 [37:19];
   assign \chain_o$188[2]  = \chain_i$187 [56:38];
   assign \chain_o$188[3]  = \chain_i$187 [75:57];
-  assign \write$191.addr  = \$71 ;
-  assign \write$191.data  = \$73 [647:576];
+  assign \write$191.addr  = \$72 ;
+  assign \write$191.data  = \$74 [647:576];
   assign \control$193.en  = control[0];
   assign \control$193.first  = control[1];
-  assign \control$193.last  = control[2];
-  assign \control$193.edge  = control[3];
-  assign \control$193.tile  = control[7:4];
+  assign \control$193.carried  = control[2];
+  assign \control$193.last  = control[3];
+  assign \control$193.edge  = control[4];
+  assign \control$193.tile  = control[8:5];
+  assign \control$193.unload  = control[9];
   assign \chain_i$195[0]  = \chain_i$195 [18:0];
   assign \chain_i$195[1]  = \chain_i$195 [37:19];
   assign \chain_i$195[2]  = \chain_i$195 [56:38];
@@ -4606,13 +4843,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$196[1]  = \chain_i$195 [37:19];
   assign \chain_o$196[2]  = \chain_i$195 [56:38];
   assign \chain_o$196[3]  = \chain_i$195 [75:57];
-  assign \write$199.addr  = \$71 ;
-  assign \write$199.data  = \$73 [647:576];
+  assign \write$199.addr  = \$72 ;
+  assign \write$199.data  = \$74 [647:576];
   assign \control$201.en  = control[0];
   assign \control$201.first  = control[1];
-  assign \control$201.last  = control[2];
-  assign \control$201.edge  = control[3];
-  assign \control$201.tile  = control[7:4];
+  assign \control$201.carried  = control[2];
+  assign \control$201.last  = control[3];
+  assign \control$201.edge  = control[4];
+  assign \control$201.tile  = control[8:5];
+  assign \control$201.unload  = control[9];
   assign \chain_i$203[0]  = \chain_i$203 [18:0];
   assign \chain_i$203[1]  = \chain_i$203 [37:19];
   assign \chain_i$203[2]  = \chain_i$203 [56:38];
@@ -4621,13 +4860,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$204[1]  = \chain_i$203 [37:19];
   assign \chain_o$204[2]  = \chain_i$203 [56:38];
   assign \chain_o$204[3]  = \chain_i$203 [75:57];
-  assign \write$207.addr  = \$71 ;
-  assign \write$207.data  = \$73 [647:576];
+  assign \write$207.addr  = \$72 ;
+  assign \write$207.data  = \$74 [647:576];
   assign \control$209.en  = control[0];
   assign \control$209.first  = control[1];
-  assign \control$209.last  = control[2];
-  assign \control$209.edge  = control[3];
-  assign \control$209.tile  = control[7:4];
+  assign \control$209.carried  = control[2];
+  assign \control$209.last  = control[3];
+  assign \control$209.edge  = control[4];
+  assign \control$209.tile  = control[8:5];
+  assign \control$209.unload  = control[9];
   assign \chain_i$211[0]  = \chain_i$211 [18:0];
   assign \chain_i$211[1]  = \chain_i$211 [37:19];
   assign \chain_i$211[2]  = \chain_i$211 [56:38];
@@ -4636,13 +4877,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$212[1]  = \chain_i$211 [37:19];
   assign \chain_o$212[2]  = \chain_i$211 [56:38];
   assign \chain_o$212[3]  = \chain_i$211 [75:57];
-  assign \write$215.addr  = \$71 ;
-  assign \write$215.data  = \$73 [647:576];
+  assign \write$215.addr  = \$72 ;
+  assign \write$215.data  = \$74 [647:576];
   assign \control$217.en  = control[0];
   assign \control$217.first  = control[1];
-  assign \control$217.last  = control[2];
-  assign \control$217.edge  = control[3];
-  assign \control$217.tile  = control[7:4];
+  assign \control$217.carried  = control[2];
+  assign \control$217.last  = control[3];
+  assign \control$217.edge  = control[4];
+  assign \control$217.tile  = control[8:5];
+  assign \control$217.unload  = control[9];
   assign \chain_i$219[0]  = \chain_i$219 [18:0];
   assign \chain_i$219[1]  = \chain_i$219 [37:19];
   assign \chain_i$219[2]  = \chain_i$219 [56:38];
@@ -4651,13 +4894,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$220[1]  = \chain_i$219 [37:19];
   assign \chain_o$220[2]  = \chain_i$219 [56:38];
   assign \chain_o$220[3]  = \chain_i$219 [75:57];
-  assign \write$223.addr  = \$71 ;
-  assign \write$223.data  = \$73 [647:576];
+  assign \write$223.addr  = \$72 ;
+  assign \write$223.data  = \$74 [647:576];
   assign \control$225.en  = control[0];
   assign \control$225.first  = control[1];
-  assign \control$225.last  = control[2];
-  assign \control$225.edge  = control[3];
-  assign \control$225.tile  = control[7:4];
+  assign \control$225.carried  = control[2];
+  assign \control$225.last  = control[3];
+  assign \control$225.edge  = control[4];
+  assign \control$225.tile  = control[8:5];
+  assign \control$225.unload  = control[9];
   assign \chain_i$227[0]  = \chain_i$227 [18:0];
   assign \chain_i$227[1]  = \chain_i$227 [37:19];
   assign \chain_i$227[2]  = \chain_i$227 [56:38];
@@ -4666,13 +4911,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$228[1]  = \chain_i$227 [37:19];
   assign \chain_o$228[2]  = \chain_i$227 [56:38];
   assign \chain_o$228[3]  = \chain_i$227 [75:57];
-  assign \write$231.addr  = \$71 ;
-  assign \write$231.data  = \$73 [647:576];
+  assign \write$231.addr  = \$72 ;
+  assign \write$231.data  = \$74 [647:576];
   assign \control$233.en  = control[0];
   assign \control$233.first  = control[1];
-  assign \control$233.last  = control[2];
-  assign \control$233.edge  = control[3];
-  assign \control$233.tile  = control[7:4];
+  assign \control$233.carried  = control[2];
+  assign \control$233.last  = control[3];
+  assign \control$233.edge  = control[4];
+  assign \control$233.tile  = control[8:5];
+  assign \control$233.unload  = control[9];
   assign \chain_i$235[0]  = \chain_i$235 [18:0];
   assign \chain_i$235[1]  = \chain_i$235 [37:19];
   assign \chain_i$235[2]  = \chain_i$235 [56:38];
@@ -4681,13 +4928,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$236[1]  = \chain_i$235 [37:19];
   assign \chain_o$236[2]  = \chain_i$235 [56:38];
   assign \chain_o$236[3]  = \chain_i$235 [75:57];
-  assign \write$239.addr  = \$71 ;
-  assign \write$239.data  = \$73 [647:576];
+  assign \write$239.addr  = \$72 ;
+  assign \write$239.data  = \$74 [647:576];
   assign \control$241.en  = control[0];
   assign \control$241.first  = control[1];
-  assign \control$241.last  = control[2];
-  assign \control$241.edge  = control[3];
-  assign \control$241.tile  = control[7:4];
+  assign \control$241.carried  = control[2];
+  assign \control$241.last  = control[3];
+  assign \control$241.edge  = control[4];
+  assign \control$241.tile  = control[8:5];
+  assign \control$241.unload  = control[9];
   assign \chain_i$243[0]  = \chain_i$243 [18:0];
   assign \chain_i$243[1]  = \chain_i$243 [37:19];
   assign \chain_i$243[2]  = \chain_i$243 [56:38];
@@ -4696,13 +4945,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$244[1]  = \chain_i$243 [37:19];
   assign \chain_o$244[2]  = \chain_i$243 [56:38];
   assign \chain_o$244[3]  = \chain_i$243 [75:57];
-  assign \write$247.addr  = \$71 ;
-  assign \write$247.data  = \$73 [647:576];
+  assign \write$247.addr  = \$72 ;
+  assign \write$247.data  = \$74 [647:576];
   assign \control$249.en  = control[0];
   assign \control$249.first  = control[1];
-  assign \control$249.last  = control[2];
-  assign \control$249.edge  = control[3];
-  assign \control$249.tile  = control[7:4];
+  assign \control$249.carried  = control[2];
+  assign \control$249.last  = control[3];
+  assign \control$249.edge  = control[4];
+  assign \control$249.tile  = control[8:5];
+  assign \control$249.unload  = control[9];
   assign \chain_i$251[0]  = \chain_i$251 [18:0];
   assign \chain_i$251[1]  = \chain_i$251 [37:19];
   assign \chain_i$251[2]  = \chain_i$251 [56:38];
@@ -4711,13 +4962,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$252[1]  = \chain_i$251 [37:19];
   assign \chain_o$252[2]  = \chain_i$251 [56:38];
   assign \chain_o$252[3]  = \chain_i$251 [75:57];
-  assign \write$255.addr  = \$71 ;
-  assign \write$255.data  = \$73 [647:576];
+  assign \write$255.addr  = \$72 ;
+  assign \write$255.data  = \$74 [647:576];
   assign \control$257.en  = control[0];
   assign \control$257.first  = control[1];
-  assign \control$257.last  = control[2];
-  assign \control$257.edge  = control[3];
-  assign \control$257.tile  = control[7:4];
+  assign \control$257.carried  = control[2];
+  assign \control$257.last  = control[3];
+  assign \control$257.edge  = control[4];
+  assign \control$257.tile  = control[8:5];
+  assign \control$257.unload  = control[9];
   assign \chain_i$259[0]  = \chain_i$259 [18:0];
   assign \chain_i$259[1]  = \chain_i$259 [37:19];
   assign \chain_i$259[2]  = \chain_i$259 [56:38];
@@ -4726,13 +4979,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$260[1]  = \chain_i$259 [37:19];
   assign \chain_o$260[2]  = \chain_i$259 [56:38];
   assign \chain_o$260[3]  = \chain_i$259 [75:57];
-  assign \write$263.addr  = \$71 ;
-  assign \write$263.data  = \$73 [647:576];
+  assign \write$263.addr  = \$72 ;
+  assign \write$263.data  = \$74 [647:576];
   assign \control$265.en  = control[0];
   assign \control$265.first  = control[1];
-  assign \control$265.last  = control[2];
-  assign \control$265.edge  = control[3];
-  assign \control$265.tile  = control[7:4];
+  assign \control$265.carried  = control[2];
+  assign \control$265.last  = control[3];
+  assign \control$265.edge  = control[4];
+  assign \control$265.tile  = control[8:5];
+  assign \control$265.unload  = control[9];
   assign \chain_i$267[0]  = \chain_i$267 [18:0];
   assign \chain_i$267[1]  = \chain_i$267 [37:19];
   assign \chain_i$267[2]  = \chain_i$267 [56:38];
@@ -4741,13 +4996,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$268[1]  = \chain_i$267 [37:19];
   assign \chain_o$268[2]  = \chain_i$267 [56:38];
   assign \chain_o$268[3]  = \chain_i$267 [75:57];
-  assign \write$271.addr  = \$71 ;
-  assign \write$271.data  = \$73 [647:576];
+  assign \write$271.addr  = \$72 ;
+  assign \write$271.data  = \$74 [647:576];
   assign \control$273.en  = control[0];
   assign \control$273.first  = control[1];
-  assign \control$273.last  = control[2];
-  assign \control$273.edge  = control[3];
-  assign \control$273.tile  = control[7:4];
+  assign \control$273.carried  = control[2];
+  assign \control$273.last  = control[3];
+  assign \control$273.edge  = control[4];
+  assign \control$273.tile  = control[8:5];
+  assign \control$273.unload  = control[9];
   assign \chain_i$275[0]  = \chain_i$275 [18:0];
   assign \chain_i$275[1]  = \chain_i$275 [37:19];
   assign \chain_i$275[2]  = \chain_i$275 [56:38];
@@ -4756,13 +5013,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$276[1]  = \chain_i$275 [37:19];
   assign \chain_o$276[2]  = \chain_i$275 [56:38];
   assign \chain_o$276[3]  = \chain_i$275 [75:57];
-  assign \write$279.addr  = \$71 ;
-  assign \write$279.data  = \$73 [647:576];
+  assign \write$279.addr  = \$72 ;
+  assign \write$279.data  = \$74 [647:576];
   assign \control$281.en  = control[0];
   assign \control$281.first  = control[1];
-  assign \control$281.last  = control[2];
-  assign \control$281.edge  = control[3];
-  assign \control$281.tile  = control[7:4];
+  assign \control$281.carried  = control[2];
+  assign \control$281.last  = control[3];
+  assign \control$281.edge  = control[4];
+  assign \control$281.tile  = control[8:5];
+  assign \control$281.unload  = control[9];
   assign \chain_i$283[0]  = \chain_i$283 [18:0];
   assign \chain_i$283[1]  = \chain_i$283 [37:19];
   assign \chain_i$283[2]  = \chain_i$283 [56:38];
@@ -4771,13 +5030,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$284[1]  = \chain_i$283 [37:19];
   assign \chain_o$284[2]  = \chain_i$283 [56:38];
   assign \chain_o$284[3]  = \chain_i$283 [75:57];
-  assign \write$287.addr  = \$71 ;
-  assign \write$287.data  = \$73 [647:576];
+  assign \write$287.addr  = \$72 ;
+  assign \write$287.data  = \$74 [647:576];
   assign \control$289.en  = control[0];
   assign \control$289.first  = control[1];
-  assign \control$289.last  = control[2];
-  assign \control$289.edge  = control[3];
-  assign \control$289.tile  = control[7:4];
+  assign \control$289.carried  = control[2];
+  assign \control$289.last  = control[3];
+  assign \control$289.edge  = control[4];
+  assign \control$289.tile  = control[8:5];
+  assign \control$289.unload  = control[9];
   assign \chain_i$291[0]  = \chain_i$291 [18:0];
   assign \chain_i$291[1]  = \chain_i$291 [37:19];
   assign \chain_i$291[2]  = \chain_i$291 [56:38];
@@ -4786,13 +5047,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$292[1]  = \chain_i$291 [37:19];
   assign \chain_o$292[2]  = \chain_i$291 [56:38];
   assign \chain_o$292[3]  = \chain_i$291 [75:57];
-  assign \write$295.addr  = \$71 ;
-  assign \write$295.data  = \$73 [647:576];
+  assign \write$295.addr  = \$72 ;
+  assign \write$295.data  = \$74 [647:576];
   assign \control$297.en  = control[0];
   assign \control$297.first  = control[1];
-  assign \control$297.last  = control[2];
-  assign \control$297.edge  = control[3];
-  assign \control$297.tile  = control[7:4];
+  assign \control$297.carried  = control[2];
+  assign \control$297.last  = control[3];
+  assign \control$297.edge  = control[4];
+  assign \control$297.tile  = control[8:5];
+  assign \control$297.unload  = control[9];
   assign \chain_i$299[0]  = \chain_i$299 [18:0];
   assign \chain_i$299[1]  = \chain_i$299 [37:19];
   assign \chain_i$299[2]  = \chain_i$299 [56:38];
@@ -4801,13 +5064,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$300[1]  = \chain_i$299 [37:19];
   assign \chain_o$300[2]  = \chain_i$299 [56:38];
   assign \chain_o$300[3]  = \chain_i$299 [75:57];
-  assign \write$303.addr  = \$71 ;
-  assign \write$303.data  = \$73 [647:576];
+  assign \write$303.addr  = \$72 ;
+  assign \write$303.data  = \$74 [647:576];
   assign \control$305.en  = control[0];
   assign \control$305.first  = control[1];
-  assign \control$305.last  = control[2];
-  assign \control$305.edge  = control[3];
-  assign \control$305.tile  = control[7:4];
+  assign \control$305.carried  = control[2];
+  assign \control$305.last  = control[3];
+  assign \control$305.edge  = control[4];
+  assign \control$305.tile  = control[8:5];
+  assign \control$305.unload  = control[9];
   assign \chain_i$307[0]  = \chain_i$307 [18:0];
   assign \chain_i$307[1]  = \chain_i$307 [37:19];
   assign \chain_i$307[2]  = \chain_i$307 [56:38];
@@ -4816,13 +5081,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$308[1]  = \chain_i$307 [37:19];
   assign \chain_o$308[2]  = \chain_i$307 [56:38];
   assign \chain_o$308[3]  = \chain_i$307 [75:57];
-  assign \write$311.addr  = \$71 ;
-  assign \write$311.data  = \$73 [647:576];
+  assign \write$311.addr  = \$72 ;
+  assign \write$311.data  = \$74 [647:576];
   assign \control$313.en  = control[0];
   assign \control$313.first  = control[1];
-  assign \control$313.last  = control[2];
-  assign \control$313.edge  = control[3];
-  assign \control$313.tile  = control[7:4];
+  assign \control$313.carried  = control[2];
+  assign \control$313.last  = control[3];
+  assign \control$313.edge  = control[4];
+  assign \control$313.tile  = control[8:5];
+  assign \control$313.unload  = control[9];
   assign \chain_i$315[0]  = \chain_i$315 [18:0];
   assign \chain_i$315[1]  = \chain_i$315 [37:19];
   assign \chain_i$315[2]  = \chain_i$315 [56:38];
@@ -4831,13 +5098,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$316[1]  = \chain_i$315 [37:19];
   assign \chain_o$316[2]  = \chain_i$315 [56:38];
   assign \chain_o$316[3]  = \chain_i$315 [75:57];
-  assign \write$319.addr  = \$71 ;
-  assign \write$319.data  = \$73 [647:576];
+  assign \write$319.addr  = \$72 ;
+  assign \write$319.data  = \$74 [647:576];
   assign \control$321.en  = control[0];
   assign \control$321.first  = control[1];
-  assign \control$321.last  = control[2];
-  assign \control$321.edge  = control[3];
-  assign \control$321.tile  = control[7:4];
+  assign \control$321.carried  = control[2];
+  assign \control$321.last  = control[3];
+  assign \control$321.edge  = control[4];
+  assign \control$321.tile  = control[8:5];
+  assign \control$321.unload  = control[9];
   assign \chain_i$323[0]  = \chain_i$323 [18:0];
   assign \chain_i$323[1]  = \chain_i$323 [37:19];
   assign \chain_i$323[2]  = \chain_i$323 [56:38];
@@ -4846,13 +5115,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$324[1]  = \chain_i$323 [37:19];
   assign \chain_o$324[2]  = \chain_i$323 [56:38];
   assign \chain_o$324[3]  = \chain_i$323 [75:57];
-  assign \write$327.addr  = \$71 ;
-  assign \write$327.data  = \$73 [647:576];
+  assign \write$327.addr  = \$72 ;
+  assign \write$327.data  = \$74 [647:576];
   assign \control$329.en  = control[0];
   assign \control$329.first  = control[1];
-  assign \control$329.last  = control[2];
-  assign \control$329.edge  = control[3];
-  assign \control$329.tile  = control[7:4];
+  assign \control$329.carried  = control[2];
+  assign \control$329.last  = control[3];
+  assign \control$329.edge  = control[4];
+  assign \control$329.tile  = control[8:5];
+  assign \control$329.unload  = control[9];
   assign \chain_i$331[0]  = \chain_i$331 [18:0];
   assign \chain_i$331[1]  = \chain_i$331 [37:19];
   assign \chain_i$331[2]  = \chain_i$331 [56:38];
@@ -4861,13 +5132,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$332[1]  = \chain_i$331 [37:19];
   assign \chain_o$332[2]  = \chain_i$331 [56:38];
   assign \chain_o$332[3]  = \chain_i$331 [75:57];
-  assign \write$335.addr  = \$71 ;
-  assign \write$335.data  = \$73 [647:576];
+  assign \write$335.addr  = \$72 ;
+  assign \write$335.data  = \$74 [647:576];
   assign \control$337.en  = control[0];
   assign \control$337.first  = control[1];
-  assign \control$337.last  = control[2];
-  assign \control$337.edge  = control[3];
-  assign \control$337.tile  = control[7:4];
+  assign \control$337.carried  = control[2];
+  assign \control$337.last  = control[3];
+  assign \control$337.edge  = control[4];
+  assign \control$337.tile  = control[8:5];
+  assign \control$337.unload  = control[9];
   assign \chain_i$339[0]  = \chain_i$339 [18:0];
   assign \chain_i$339[1]  = \chain_i$339 [37:19];
   assign \chain_i$339[2]  = \chain_i$339 [56:38];
@@ -4876,13 +5149,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$340[1]  = \chain_i$339 [37:19];
   assign \chain_o$340[2]  = \chain_i$339 [56:38];
   assign \chain_o$340[3]  = \chain_i$339 [75:57];
-  assign \write$343.addr  = \$71 ;
-  assign \write$343.data  = \$73 [647:576];
+  assign \write$343.addr  = \$72 ;
+  assign \write$343.data  = \$74 [647:576];
   assign \control$345.en  = control[0];
   assign \control$345.first  = control[1];
-  assign \control$345.last  = control[2];
-  assign \control$345.edge  = control[3];
-  assign \control$345.tile  = control[7:4];
+  assign \control$345.carried  = control[2];
+  assign \control$345.last  = control[3];
+  assign \control$345.edge  = control[4];
+  assign \control$345.tile  = control[8:5];
+  assign \control$345.unload  = control[9];
   assign \chain_i$347[0]  = \chain_i$347 [18:0];
   assign \chain_i$347[1]  = \chain_i$347 [37:19];
   assign \chain_i$347[2]  = \chain_i$347 [56:38];
@@ -4891,13 +5166,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$348[1]  = \chain_i$347 [37:19];
   assign \chain_o$348[2]  = \chain_i$347 [56:38];
   assign \chain_o$348[3]  = \chain_i$347 [75:57];
-  assign \write$351.addr  = \$71 ;
-  assign \write$351.data  = \$73 [647:576];
+  assign \write$351.addr  = \$72 ;
+  assign \write$351.data  = \$74 [647:576];
   assign \control$353.en  = control[0];
   assign \control$353.first  = control[1];
-  assign \control$353.last  = control[2];
-  assign \control$353.edge  = control[3];
-  assign \control$353.tile  = control[7:4];
+  assign \control$353.carried  = control[2];
+  assign \control$353.last  = control[3];
+  assign \control$353.edge  = control[4];
+  assign \control$353.tile  = control[8:5];
+  assign \control$353.unload  = control[9];
   assign \chain_i$355[0]  = \chain_i$355 [18:0];
   assign \chain_i$355[1]  = \chain_i$355 [37:19];
   assign \chain_i$355[2]  = \chain_i$355 [56:38];
@@ -4906,13 +5183,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$356[1]  = \chain_i$355 [37:19];
   assign \chain_o$356[2]  = \chain_i$355 [56:38];
   assign \chain_o$356[3]  = \chain_i$355 [75:57];
-  assign \write$359.addr  = \$71 ;
-  assign \write$359.data  = \$73 [647:576];
+  assign \write$359.addr  = \$72 ;
+  assign \write$359.data  = \$74 [647:576];
   assign \control$361.en  = control[0];
   assign \control$361.first  = control[1];
-  assign \control$361.last  = control[2];
-  assign \control$361.edge  = control[3];
-  assign \control$361.tile  = control[7:4];
+  assign \control$361.carried  = control[2];
+  assign \control$361.last  = control[3];
+  assign \control$361.edge  = control[4];
+  assign \control$361.tile  = control[8:5];
+  assign \control$361.unload  = control[9];
   assign \chain_i$363[0]  = \chain_i$363 [18:0];
   assign \chain_i$363[1]  = \chain_i$363 [37:19];
   assign \chain_i$363[2]  = \chain_i$363 [56:38];
@@ -4921,13 +5200,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$364[1]  = \chain_i$363 [37:19];
   assign \chain_o$364[2]  = \chain_i$363 [56:38];
   assign \chain_o$364[3]  = \chain_i$363 [75:57];
-  assign \write$367.addr  = \$71 ;
-  assign \write$367.data  = \$73 [647:576];
+  assign \write$367.addr  = \$72 ;
+  assign \write$367.data  = \$74 [647:576];
   assign \control$369.en  = control[0];
   assign \control$369.first  = control[1];
-  assign \control$369.last  = control[2];
-  assign \control$369.edge  = control[3];
-  assign \control$369.tile  = control[7:4];
+  assign \control$369.carried  = control[2];
+  assign \control$369.last  = control[3];
+  assign \control$369.edge  = control[4];
+  assign \control$369.tile  = control[8:5];
+  assign \control$369.unload  = control[9];
   assign \chain_i$371[0]  = \chain_i$371 [18:0];
   assign \chain_i$371[1]  = \chain_i$371 [37:19];
   assign \chain_i$371[2]  = \chain_i$371 [56:38];
@@ -4936,13 +5217,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$372[1]  = \chain_i$371 [37:19];
   assign \chain_o$372[2]  = \chain_i$371 [56:38];
   assign \chain_o$372[3]  = \chain_i$371 [75:57];
-  assign \write$375.addr  = \$71 ;
-  assign \write$375.data  = \$73 [647:576];
+  assign \write$375.addr  = \$72 ;
+  assign \write$375.data  = \$74 [647:576];
   assign \control$377.en  = control[0];
   assign \control$377.first  = control[1];
-  assign \control$377.last  = control[2];
-  assign \control$377.edge  = control[3];
-  assign \control$377.tile  = control[7:4];
+  assign \control$377.carried  = control[2];
+  assign \control$377.last  = control[3];
+  assign \control$377.edge  = control[4];
+  assign \control$377.tile  = control[8:5];
+  assign \control$377.unload  = control[9];
   assign \chain_i$379[0]  = \chain_i$379 [18:0];
   assign \chain_i$379[1]  = \chain_i$379 [37:19];
   assign \chain_i$379[2]  = \chain_i$379 [56:38];
@@ -4951,13 +5234,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$380[1]  = \chain_i$379 [37:19];
   assign \chain_o$380[2]  = \chain_i$379 [56:38];
   assign \chain_o$380[3]  = \chain_i$379 [75:57];
-  assign \write$383.addr  = \$71 ;
-  assign \write$383.data  = \$73 [647:576];
+  assign \write$383.addr  = \$72 ;
+  assign \write$383.data  = \$74 [647:576];
   assign \control$385.en  = control[0];
   assign \control$385.first  = control[1];
-  assign \control$385.last  = control[2];
-  assign \control$385.edge  = control[3];
-  assign \control$385.tile  = control[7:4];
+  assign \control$385.carried  = control[2];
+  assign \control$385.last  = control[3];
+  assign \control$385.edge  = control[4];
+  assign \control$385.tile  = control[8:5];
+  assign \control$385.unload  = control[9];
   assign \chain_i$387[0]  = \chain_i$387 [18:0];
   assign \chain_i$387[1]  = \chain_i$387 [37:19];
   assign \chain_i$387[2]  = \chain_i$387 [56:38];
@@ -4966,13 +5251,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$388[1]  = \chain_i$387 [37:19];
   assign \chain_o$388[2]  = \chain_i$387 [56:38];
   assign \chain_o$388[3]  = \chain_i$387 [75:57];
-  assign \write$391.addr  = \$71 ;
-  assign \write$391.data  = \$73 [647:576];
+  assign \write$391.addr  = \$72 ;
+  assign \write$391.data  = \$74 [647:576];
   assign \control$393.en  = control[0];
   assign \control$393.first  = control[1];
-  assign \control$393.last  = control[2];
-  assign \control$393.edge  = control[3];
-  assign \control$393.tile  = control[7:4];
+  assign \control$393.carried  = control[2];
+  assign \control$393.last  = control[3];
+  assign \control$393.edge  = control[4];
+  assign \control$393.tile  = control[8:5];
+  assign \control$393.unload  = control[9];
   assign \chain_i$395[0]  = \chain_i$395 [18:0];
   assign \chain_i$395[1]  = \chain_i$395 [37:19];
   assign \chain_i$395[2]  = \chain_i$395 [56:38];
@@ -4981,13 +5268,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$396[1]  = \chain_i$395 [37:19];
   assign \chain_o$396[2]  = \chain_i$395 [56:38];
   assign \chain_o$396[3]  = \chain_i$395 [75:57];
-  assign \write$399.addr  = \$71 ;
-  assign \write$399.data  = \$73 [647:576];
+  assign \write$399.addr  = \$72 ;
+  assign \write$399.data  = \$74 [647:576];
   assign \control$401.en  = control[0];
   assign \control$401.first  = control[1];
-  assign \control$401.last  = control[2];
-  assign \control$401.edge  = control[3];
-  assign \control$401.tile  = control[7:4];
+  assign \control$401.carried  = control[2];
+  assign \control$401.last  = control[3];
+  assign \control$401.edge  = control[4];
+  assign \control$401.tile  = control[8:5];
+  assign \control$401.unload  = control[9];
   assign \chain_i$403[0]  = \chain_i$403 [18:0];
   assign \chain_i$403[1]  = \chain_i$403 [37:19];
   assign \chain_i$403[2]  = \chain_i$403 [56:38];
@@ -4996,13 +5285,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$404[1]  = \chain_i$403 [37:19];
   assign \chain_o$404[2]  = \chain_i$403 [56:38];
   assign \chain_o$404[3]  = \chain_i$403 [75:57];
-  assign \write$407.addr  = \$71 ;
-  assign \write$407.data  = \$73 [647:576];
+  assign \write$407.addr  = \$72 ;
+  assign \write$407.data  = \$74 [647:576];
   assign \control$409.en  = control[0];
   assign \control$409.first  = control[1];
-  assign \control$409.last  = control[2];
-  assign \control$409.edge  = control[3];
-  assign \control$409.tile  = control[7:4];
+  assign \control$409.carried  = control[2];
+  assign \control$409.last  = control[3];
+  assign \control$409.edge  = control[4];
+  assign \control$409.tile  = control[8:5];
+  assign \control$409.unload  = control[9];
   assign \chain_i$411[0]  = \chain_i$411 [18:0];
   assign \chain_i$411[1]  = \chain_i$411 [37:19];
   assign \chain_i$411[2]  = \chain_i$411 [56:38];
@@ -5011,13 +5302,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$412[1]  = \chain_i$411 [37:19];
   assign \chain_o$412[2]  = \chain_i$411 [56:38];
   assign \chain_o$412[3]  = \chain_i$411 [75:57];
-  assign \write$415.addr  = \$71 ;
-  assign \write$415.data  = \$73 [647:576];
+  assign \write$415.addr  = \$72 ;
+  assign \write$415.data  = \$74 [647:576];
   assign \control$417.en  = control[0];
   assign \control$417.first  = control[1];
-  assign \control$417.last  = control[2];
-  assign \control$417.edge  = control[3];
-  assign \control$417.tile  = control[7:4];
+  assign \control$417.carried  = control[2];
+  assign \control$417.last  = control[3];
+  assign \control$417.edge  = control[4];
+  assign \control$417.tile  = control[8:5];
+  assign \control$417.unload  = control[9];
   assign \chain_i$419[0]  = \chain_i$419 [18:0];
   assign \chain_i$419[1]  = \chain_i$419 [37:19];
   assign \chain_i$419[2]  = \chain_i$419 [56:38];
@@ -5026,13 +5319,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$420[1]  = \chain_i$419 [37:19];
   assign \chain_o$420[2]  = \chain_i$419 [56:38];
   assign \chain_o$420[3]  = \chain_i$419 [75:57];
-  assign \write$423.addr  = \$71 ;
-  assign \write$423.data  = \$73 [647:576];
+  assign \write$423.addr  = \$72 ;
+  assign \write$423.data  = \$74 [647:576];
   assign \control$425.en  = control[0];
   assign \control$425.first  = control[1];
-  assign \control$425.last  = control[2];
-  assign \control$425.edge  = control[3];
-  assign \control$425.tile  = control[7:4];
+  assign \control$425.carried  = control[2];
+  assign \control$425.last  = control[3];
+  assign \control$425.edge  = control[4];
+  assign \control$425.tile  = control[8:5];
+  assign \control$425.unload  = control[9];
   assign \chain_i$427[0]  = \chain_i$427 [18:0];
   assign \chain_i$427[1]  = \chain_i$427 [37:19];
   assign \chain_i$427[2]  = \chain_i$427 [56:38];
@@ -5041,13 +5336,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$428[1]  = \chain_i$427 [37:19];
   assign \chain_o$428[2]  = \chain_i$427 [56:38];
   assign \chain_o$428[3]  = \chain_i$427 [75:57];
-  assign \write$431.addr  = \$71 ;
-  assign \write$431.data  = \$73 [647:576];
+  assign \write$431.addr  = \$72 ;
+  assign \write$431.data  = \$74 [647:576];
   assign \control$433.en  = control[0];
   assign \control$433.first  = control[1];
-  assign \control$433.last  = control[2];
-  assign \control$433.edge  = control[3];
-  assign \control$433.tile  = control[7:4];
+  assign \control$433.carried  = control[2];
+  assign \control$433.last  = control[3];
+  assign \control$433.edge  = control[4];
+  assign \control$433.tile  = control[8:5];
+  assign \control$433.unload  = control[9];
   assign \chain_i$435[0]  = \chain_i$435 [18:0];
   assign \chain_i$435[1]  = \chain_i$435 [37:19];
   assign \chain_i$435[2]  = \chain_i$435 [56:38];
@@ -5056,13 +5353,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$436[1]  = \chain_i$435 [37:19];
   assign \chain_o$436[2]  = \chain_i$435 [56:38];
   assign \chain_o$436[3]  = \chain_i$435 [75:57];
-  assign \write$439.addr  = \$71 ;
-  assign \write$439.data  = \$73 [647:576];
+  assign \write$439.addr  = \$72 ;
+  assign \write$439.data  = \$74 [647:576];
   assign \control$441.en  = control[0];
   assign \control$441.first  = control[1];
-  assign \control$441.last  = control[2];
-  assign \control$441.edge  = control[3];
-  assign \control$441.tile  = control[7:4];
+  assign \control$441.carried  = control[2];
+  assign \control$441.last  = control[3];
+  assign \control$441.edge  = control[4];
+  assign \control$441.tile  = control[8:5];
+  assign \control$441.unload  = control[9];
   assign \chain_i$443[0]  = \chain_i$443 [18:0];
   assign \chain_i$443[1]  = \chain_i$443 [37:19];
   assign \chain_i$443[2]  = \chain_i$443 [56:38];
@@ -5071,13 +5370,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$444[1]  = \chain_i$443 [37:19];
   assign \chain_o$444[2]  = \chain_i$443 [56:38];
   assign \chain_o$444[3]  = \chain_i$443 [75:57];
-  assign \write$447.addr  = \$71 ;
-  assign \write$447.data  = \$73 [647:576];
+  assign \write$447.addr  = \$72 ;
+  assign \write$447.data  = \$74 [647:576];
   assign \control$449.en  = control[0];
   assign \control$449.first  = control[1];
-  assign \control$449.last  = control[2];
-  assign \control$449.edge  = control[3];
-  assign \control$449.tile  = control[7:4];
+  assign \control$449.carried  = control[2];
+  assign \control$449.last  = control[3];
+  assign \control$449.edge  = control[4];
+  assign \control$449.tile  = control[8:5];
+  assign \control$449.unload  = control[9];
   assign \chain_i$451[0]  = \chain_i$451 [18:0];
   assign \chain_i$451[1]  = \chain_i$451 [37:19];
   assign \chain_i$451[2]  = \chain_i$451 [56:38];
@@ -5086,13 +5387,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$452[1]  = \chain_i$451 [37:19];
   assign \chain_o$452[2]  = \chain_i$451 [56:38];
   assign \chain_o$452[3]  = \chain_i$451 [75:57];
-  assign \write$455.addr  = \$71 ;
-  assign \write$455.data  = \$73 [647:576];
+  assign \write$455.addr  = \$72 ;
+  assign \write$455.data  = \$74 [647:576];
   assign \control$457.en  = control[0];
   assign \control$457.first  = control[1];
-  assign \control$457.last  = control[2];
-  assign \control$457.edge  = control[3];
-  assign \control$457.tile  = control[7:4];
+  assign \control$457.carried  = control[2];
+  assign \control$457.last  = control[3];
+  assign \control$457.edge  = control[4];
+  assign \control$457.tile  = control[8:5];
+  assign \control$457.unload  = control[9];
   assign \chain_i$459[0]  = \chain_i$459 [18:0];
   assign \chain_i$459[1]  = \chain_i$459 [37:19];
   assign \chain_i$459[2]  = \chain_i$459 [56:38];
@@ -5101,13 +5404,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$460[1]  = \chain_i$459 [37:19];
   assign \chain_o$460[2]  = \chain_i$459 [56:38];
   assign \chain_o$460[3]  = \chain_i$459 [75:57];
-  assign \write$463.addr  = \$71 ;
-  assign \write$463.data  = \$73 [647:576];
+  assign \write$463.addr  = \$72 ;
+  assign \write$463.data  = \$74 [647:576];
   assign \control$465.en  = control[0];
   assign \control$465.first  = control[1];
-  assign \control$465.last  = control[2];
-  assign \control$465.edge  = control[3];
-  assign \control$465.tile  = control[7:4];
+  assign \control$465.carried  = control[2];
+  assign \control$465.last  = control[3];
+  assign \control$465.edge  = control[4];
+  assign \control$465.tile  = control[8:5];
+  assign \control$465.unload  = control[9];
   assign \chain_i$467[0]  = \chain_i$467 [18:0];
   assign \chain_i$467[1]  = \chain_i$467 [37:19];
   assign \chain_i$467[2]  = \chain_i$467 [56:38];
@@ -5116,13 +5421,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$468[1]  = \chain_i$467 [37:19];
   assign \chain_o$468[2]  = \chain_i$467 [56:38];
   assign \chain_o$468[3]  = \chain_i$467 [75:57];
-  assign \write$471.addr  = \$71 ;
-  assign \write$471.data  = \$73 [647:576];
+  assign \write$471.addr  = \$72 ;
+  assign \write$471.data  = \$74 [647:576];
   assign \control$473.en  = control[0];
   assign \control$473.first  = control[1];
-  assign \control$473.last  = control[2];
-  assign \control$473.edge  = control[3];
-  assign \control$473.tile  = control[7:4];
+  assign \control$473.carried  = control[2];
+  assign \control$473.last  = control[3];
+  assign \control$473.edge  = control[4];
+  assign \control$473.tile  = control[8:5];
+  assign \control$473.unload  = control[9];
   assign \chain_i$475[0]  = \chain_i$475 [18:0];
   assign \chain_i$475[1]  = \chain_i$475 [37:19];
   assign \chain_i$475[2]  = \chain_i$475 [56:38];
@@ -5131,13 +5438,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$476[1]  = \chain_i$475 [37:19];
   assign \chain_o$476[2]  = \chain_i$475 [56:38];
   assign \chain_o$476[3]  = \chain_i$475 [75:57];
-  assign \write$479.addr  = \$71 ;
-  assign \write$479.data  = \$73 [647:576];
+  assign \write$479.addr  = \$72 ;
+  assign \write$479.data  = \$74 [647:576];
   assign \control$481.en  = control[0];
   assign \control$481.first  = control[1];
-  assign \control$481.last  = control[2];
-  assign \control$481.edge  = control[3];
-  assign \control$481.tile  = control[7:4];
+  assign \control$481.carried  = control[2];
+  assign \control$481.last  = control[3];
+  assign \control$481.edge  = control[4];
+  assign \control$481.tile  = control[8:5];
+  assign \control$481.unload  = control[9];
   assign \chain_i$483[0]  = \chain_i$483 [18:0];
   assign \chain_i$483[1]  = \chain_i$483 [37:19];
   assign \chain_i$483[2]  = \chain_i$483 [56:38];
@@ -5146,13 +5455,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$484[1]  = \chain_i$483 [37:19];
   assign \chain_o$484[2]  = \chain_i$483 [56:38];
   assign \chain_o$484[3]  = \chain_i$483 [75:57];
-  assign \write$487.addr  = \$71 ;
-  assign \write$487.data  = \$73 [647:576];
+  assign \write$487.addr  = \$72 ;
+  assign \write$487.data  = \$74 [647:576];
   assign \control$489.en  = control[0];
   assign \control$489.first  = control[1];
-  assign \control$489.last  = control[2];
-  assign \control$489.edge  = control[3];
-  assign \control$489.tile  = control[7:4];
+  assign \control$489.carried  = control[2];
+  assign \control$489.last  = control[3];
+  assign \control$489.edge  = control[4];
+  assign \control$489.tile  = control[8:5];
+  assign \control$489.unload  = control[9];
   assign \chain_i$491[0]  = \chain_i$491 [18:0];
   assign \chain_i$491[1]  = \chain_i$491 [37:19];
   assign \chain_i$491[2]  = \chain_i$491 [56:38];
@@ -5161,13 +5472,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$492[1]  = \chain_i$491 [37:19];
   assign \chain_o$492[2]  = \chain_i$491 [56:38];
   assign \chain_o$492[3]  = \chain_i$491 [75:57];
-  assign \write$495.addr  = \$71 ;
-  assign \write$495.data  = \$73 [647:576];
+  assign \write$495.addr  = \$72 ;
+  assign \write$495.data  = \$74 [647:576];
   assign \control$497.en  = control[0];
   assign \control$497.first  = control[1];
-  assign \control$497.last  = control[2];
-  assign \control$497.edge  = control[3];
-  assign \control$497.tile  = control[7:4];
+  assign \control$497.carried  = control[2];
+  assign \control$497.last  = control[3];
+  assign \control$497.edge  = control[4];
+  assign \control$497.tile  = control[8:5];
+  assign \control$497.unload  = control[9];
   assign \chain_i$499[0]  = \chain_i$499 [18:0];
   assign \chain_i$499[1]  = \chain_i$499 [37:19];
   assign \chain_i$499[2]  = \chain_i$499 [56:38];
@@ -5176,13 +5489,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$500[1]  = \chain_i$499 [37:19];
   assign \chain_o$500[2]  = \chain_i$499 [56:38];
   assign \chain_o$500[3]  = \chain_i$499 [75:57];
-  assign \write$503.addr  = \$71 ;
-  assign \write$503.data  = \$73 [647:576];
+  assign \write$503.addr  = \$72 ;
+  assign \write$503.data  = \$74 [647:576];
   assign \control$505.en  = control[0];
   assign \control$505.first  = control[1];
-  assign \control$505.last  = control[2];
-  assign \control$505.edge  = control[3];
-  assign \control$505.tile  = control[7:4];
+  assign \control$505.carried  = control[2];
+  assign \control$505.last  = control[3];
+  assign \control$505.edge  = control[4];
+  assign \control$505.tile  = control[8:5];
+  assign \control$505.unload  = control[9];
   assign \chain_i$507[0]  = \chain_i$507 [18:0];
   assign \chain_i$507[1]  = \chain_i$507 [37:19];
   assign \chain_i$507[2]  = \chain_i$507 [56:38];
@@ -5191,13 +5506,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$508[1]  = \chain_i$507 [37:19];
   assign \chain_o$508[2]  = \chain_i$507 [56:38];
   assign \chain_o$508[3]  = \chain_i$507 [75:57];
-  assign \write$511.addr  = \$71 ;
-  assign \write$511.data  = \$73 [647:576];
+  assign \write$511.addr  = \$72 ;
+  assign \write$511.data  = \$74 [647:576];
   assign \control$513.en  = control[0];
   assign \control$513.first  = control[1];
-  assign \control$513.last  = control[2];
-  assign \control$513.edge  = control[3];
-  assign \control$513.tile  = control[7:4];
+  assign \control$513.carried  = control[2];
+  assign \control$513.last  = control[3];
+  assign \control$513.edge  = control[4];
+  assign \control$513.tile  = control[8:5];
+  assign \control$513.unload  = control[9];
   assign \chain_i$515[0]  = \chain_i$515 [18:0];
   assign \chain_i$515[1]  = \chain_i$515 [37:19];
   assign \chain_i$515[2]  = \chain_i$515 [56:38];
@@ -5206,13 +5523,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$516[1]  = \chain_i$515 [37:19];
   assign \chain_o$516[2]  = \chain_i$515 [56:38];
   assign \chain_o$516[3]  = \chain_i$515 [75:57];
-  assign \write$519.addr  = \$71 ;
-  assign \write$519.data  = \$73 [647:576];
+  assign \write$519.addr  = \$72 ;
+  assign \write$519.data  = \$74 [647:576];
   assign \control$521.en  = control[0];
   assign \control$521.first  = control[1];
-  assign \control$521.last  = control[2];
-  assign \control$521.edge  = control[3];
-  assign \control$521.tile  = control[7:4];
+  assign \control$521.carried  = control[2];
+  assign \control$521.last  = control[3];
+  assign \control$521.edge  = control[4];
+  assign \control$521.tile  = control[8:5];
+  assign \control$521.unload  = control[9];
   assign \chain_i$523[0]  = \chain_i$523 [18:0];
   assign \chain_i$523[1]  = \chain_i$523 [37:19];
   assign \chain_i$523[2]  = \chain_i$523 [56:38];
@@ -5221,13 +5540,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$524[1]  = \chain_i$523 [37:19];
   assign \chain_o$524[2]  = \chain_i$523 [56:38];
   assign \chain_o$524[3]  = \chain_i$523 [75:57];
-  assign \write$527.addr  = \$71 ;
-  assign \write$527.data  = \$73 [647:576];
+  assign \write$527.addr  = \$72 ;
+  assign \write$527.data  = \$74 [647:576];
   assign \control$529.en  = control[0];
   assign \control$529.first  = control[1];
-  assign \control$529.last  = control[2];
-  assign \control$529.edge  = control[3];
-  assign \control$529.tile  = control[7:4];
+  assign \control$529.carried  = control[2];
+  assign \control$529.last  = control[3];
+  assign \control$529.edge  = control[4];
+  assign \control$529.tile  = control[8:5];
+  assign \control$529.unload  = control[9];
   assign \chain_i$531[0]  = \chain_i$531 [18:0];
   assign \chain_i$531[1]  = \chain_i$531 [37:19];
   assign \chain_i$531[2]  = \chain_i$531 [56:38];
@@ -5236,13 +5557,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$532[1]  = \chain_i$531 [37:19];
   assign \chain_o$532[2]  = \chain_i$531 [56:38];
   assign \chain_o$532[3]  = \chain_i$531 [75:57];
-  assign \write$535.addr  = \$71 ;
-  assign \write$535.data  = \$73 [647:576];
+  assign \write$535.addr  = \$72 ;
+  assign \write$535.data  = \$74 [647:576];
   assign \control$537.en  = control[0];
   assign \control$537.first  = control[1];
-  assign \control$537.last  = control[2];
-  assign \control$537.edge  = control[3];
-  assign \control$537.tile  = control[7:4];
+  assign \control$537.carried  = control[2];
+  assign \control$537.last  = control[3];
+  assign \control$537.edge  = control[4];
+  assign \control$537.tile  = control[8:5];
+  assign \control$537.unload  = control[9];
   assign \chain_i$539[0]  = \chain_i$539 [18:0];
   assign \chain_i$539[1]  = \chain_i$539 [37:19];
   assign \chain_i$539[2]  = \chain_i$539 [56:38];
@@ -5251,13 +5574,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$540[1]  = \chain_i$539 [37:19];
   assign \chain_o$540[2]  = \chain_i$539 [56:38];
   assign \chain_o$540[3]  = \chain_i$539 [75:57];
-  assign \write$543.addr  = \$71 ;
-  assign \write$543.data  = \$73 [647:576];
+  assign \write$543.addr  = \$72 ;
+  assign \write$543.data  = \$74 [647:576];
   assign \control$545.en  = control[0];
   assign \control$545.first  = control[1];
-  assign \control$545.last  = control[2];
-  assign \control$545.edge  = control[3];
-  assign \control$545.tile  = control[7:4];
+  assign \control$545.carried  = control[2];
+  assign \control$545.last  = control[3];
+  assign \control$545.edge  = control[4];
+  assign \control$545.tile  = control[8:5];
+  assign \control$545.unload  = control[9];
   assign \chain_i$547[0]  = \chain_i$547 [18:0];
   assign \chain_i$547[1]  = \chain_i$547 [37:19];
   assign \chain_i$547[2]  = \chain_i$547 [56:38];
@@ -5266,13 +5591,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$548[1]  = \chain_i$547 [37:19];
   assign \chain_o$548[2]  = \chain_i$547 [56:38];
   assign \chain_o$548[3]  = \chain_i$547 [75:57];
-  assign \write$551.addr  = \$71 ;
-  assign \write$551.data  = \$73 [647:576];
+  assign \write$551.addr  = \$72 ;
+  assign \write$551.data  = \$74 [647:576];
   assign \control$553.en  = control[0];
   assign \control$553.first  = control[1];
-  assign \control$553.last  = control[2];
-  assign \control$553.edge  = control[3];
-  assign \control$553.tile  = control[7:4];
+  assign \control$553.carried  = control[2];
+  assign \control$553.last  = control[3];
+  assign \control$553.edge  = control[4];
+  assign \control$553.tile  = control[8:5];
+  assign \control$553.unload  = control[9];
   assign \chain_i$555[0]  = \chain_i$555 [18:0];
   assign \chain_i$555[1]  = \chain_i$555 [37:19];
   assign \chain_i$555[2]  = \chain_i$555 [56:38];
@@ -5281,13 +5608,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$556[1]  = \chain_i$555 [37:19];
   assign \chain_o$556[2]  = \chain_i$555 [56:38];
   assign \chain_o$556[3]  = \chain_i$555 [75:57];
-  assign \write$559.addr  = \$71 ;
-  assign \write$559.data  = \$73 [647:576];
+  assign \write$559.addr  = \$72 ;
+  assign \write$559.data  = \$74 [647:576];
   assign \control$561.en  = control[0];
   assign \control$561.first  = control[1];
-  assign \control$561.last  = control[2];
-  assign \control$561.edge  = control[3];
-  assign \control$561.tile  = control[7:4];
+  assign \control$561.carried  = control[2];
+  assign \control$561.last  = control[3];
+  assign \control$561.edge  = control[4];
+  assign \control$561.tile  = control[8:5];
+  assign \control$561.unload  = control[9];
   assign \chain_i$563[0]  = \chain_i$563 [18:0];
   assign \chain_i$563[1]  = \chain_i$563 [37:19];
   assign \chain_i$563[2]  = \chain_i$563 [56:38];
@@ -5296,13 +5625,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$564[1]  = \chain_i$563 [37:19];
   assign \chain_o$564[2]  = \chain_i$563 [56:38];
   assign \chain_o$564[3]  = \chain_i$563 [75:57];
-  assign \write$567.addr  = \$71 ;
-  assign \write$567.data  = \$73 [647:576];
+  assign \write$567.addr  = \$72 ;
+  assign \write$567.data  = \$74 [647:576];
   assign \control$569.en  = control[0];
   assign \control$569.first  = control[1];
-  assign \control$569.last  = control[2];
-  assign \control$569.edge  = control[3];
-  assign \control$569.tile  = control[7:4];
+  assign \control$569.carried  = control[2];
+  assign \control$569.last  = control[3];
+  assign \control$569.edge  = control[4];
+  assign \control$569.tile  = control[8:5];
+  assign \control$569.unload  = control[9];
   assign \chain_i$571[0]  = \chain_i$571 [18:0];
   assign \chain_i$571[1]  = \chain_i$571 [37:19];
   assign \chain_i$571[2]  = \chain_i$571 [56:38];
@@ -5311,13 +5642,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$572[1]  = \chain_i$571 [37:19];
   assign \chain_o$572[2]  = \chain_i$571 [56:38];
   assign \chain_o$572[3]  = \chain_i$571 [75:57];
-  assign \write$575.addr  = \$71 ;
-  assign \write$575.data  = \$73 [647:576];
+  assign \write$575.addr  = \$72 ;
+  assign \write$575.data  = \$74 [647:576];
   assign \control$577.en  = control[0];
   assign \control$577.first  = control[1];
-  assign \control$577.last  = control[2];
-  assign \control$577.edge  = control[3];
-  assign \control$577.tile  = control[7:4];
+  assign \control$577.carried  = control[2];
+  assign \control$577.last  = control[3];
+  assign \control$577.edge  = control[4];
+  assign \control$577.tile  = control[8:5];
+  assign \control$577.unload  = control[9];
   assign \chain_i$579[0]  = \chain_i$579 [18:0];
   assign \chain_i$579[1]  = \chain_i$579 [37:19];
   assign \chain_i$579[2]  = \chain_i$579 [56:38];
@@ -5326,13 +5659,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$580[1]  = \chain_i$579 [37:19];
   assign \chain_o$580[2]  = \chain_i$579 [56:38];
   assign \chain_o$580[3]  = \chain_i$579 [75:57];
-  assign \write$583.addr  = \$71 ;
-  assign \write$583.data  = \$73 [647:576];
+  assign \write$583.addr  = \$72 ;
+  assign \write$583.data  = \$74 [647:576];
   assign \control$585.en  = control[0];
   assign \control$585.first  = control[1];
-  assign \control$585.last  = control[2];
-  assign \control$585.edge  = control[3];
-  assign \control$585.tile  = control[7:4];
+  assign \control$585.carried  = control[2];
+  assign \control$585.last  = control[3];
+  assign \control$585.edge  = control[4];
+  assign \control$585.tile  = control[8:5];
+  assign \control$585.unload  = control[9];
   assign \chain_i$587[0]  = \chain_i$587 [18:0];
   assign \chain_i$587[1]  = \chain_i$587 [37:19];
   assign \chain_i$587[2]  = \chain_i$587 [56:38];
@@ -5341,13 +5676,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$588[1]  = \chain_i$587 [37:19];
   assign \chain_o$588[2]  = \chain_i$587 [56:38];
   assign \chain_o$588[3]  = \chain_i$587 [75:57];
-  assign \write$591.addr  = \$71 ;
-  assign \write$591.data  = \$73 [647:576];
+  assign \write$591.addr  = \$72 ;
+  assign \write$591.data  = \$74 [647:576];
   assign \control$593.en  = control[0];
   assign \control$593.first  = control[1];
-  assign \control$593.last  = control[2];
-  assign \control$593.edge  = control[3];
-  assign \control$593.tile  = control[7:4];
+  assign \control$593.carried  = control[2];
+  assign \control$593.last  = control[3];
+  assign \control$593.edge  = control[4];
+  assign \control$593.tile  = control[8:5];
+  assign \control$593.unload  = control[9];
   assign \chain_i$595[0]  = \chain_i$595 [18:0];
   assign \chain_i$595[1]  = \chain_i$595 [37:19];
   assign \chain_i$595[2]  = \chain_i$595 [56:38];
@@ -5356,13 +5693,15 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$596[1]  = \chain_i$595 [37:19];
   assign \chain_o$596[2]  = \chain_i$595 [56:38];
   assign \chain_o$596[3]  = \chain_i$595 [75:57];
-  assign \write$599.addr  = \$71 ;
-  assign \write$599.data  = \$73 [647:576];
+  assign \write$599.addr  = \$72 ;
+  assign \write$599.data  = \$74 [647:576];
   assign \control$601.en  = control[0];
   assign \control$601.first  = control[1];
-  assign \control$601.last  = control[2];
-  assign \control$601.edge  = control[3];
-  assign \control$601.tile  = control[7:4];
+  assign \control$601.carried  = control[2];
+  assign \control$601.last  = control[3];
+  assign \control$601.edge  = control[4];
+  assign \control$601.tile  = control[8:5];
+  assign \control$601.unload  = control[9];
   assign \chain_i$603[0]  = \chain_i$603 [18:0];
   assign \chain_i$603[1]  = \chain_i$603 [37:19];
   assign \chain_i$603[2]  = \chain_i$603 [56:38];
@@ -5371,59 +5710,96 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \chain_o$604[1]  = \chain_i$603 [37:19];
   assign \chain_o$604[2]  = \chain_i$603 [56:38];
   assign \chain_o$604[3]  = \chain_i$603 [75:57];
-  assign \write$607.addr  = \$71 ;
-  assign \write$607.data  = \$73 [647:576];
+  assign \write$607.addr  = \$72 ;
+  assign \write$607.data  = \$74 [647:576];
   assign \control$609.en  = control[0];
   assign \control$609.first  = control[1];
-  assign \control$609.last  = control[2];
-  assign \control$609.edge  = control[3];
-  assign \control$609.tile  = control[7:4];
-  assign \write$613.addr  = \$71 ;
-  assign \write$613.data  = \$73 [647:576];
-  assign \control$615.en  = control[0];
-  assign \control$615.first  = control[1];
-  assign \control$615.last  = control[2];
-  assign \control$615.edge  = control[3];
-  assign \control$615.tile  = control[7:4];
-  assign \write$619.addr  = \$71 ;
-  assign \write$619.data  = \$73 [647:576];
-  assign \control$621.en  = control[0];
-  assign \control$621.first  = control[1];
-  assign \control$621.last  = control[2];
-  assign \control$621.edge  = control[3];
-  assign \control$621.tile  = control[7:4];
-  assign \write$625.addr  = \$71 ;
-  assign \write$625.data  = \$73 [647:576];
-  assign \control$627.en  = control[0];
-  assign \control$627.first  = control[1];
-  assign \control$627.last  = control[2];
-  assign \control$627.edge  = control[3];
-  assign \control$627.tile  = control[7:4];
+  assign \control$609.carried  = control[2];
+  assign \control$609.last  = control[3];
+  assign \control$609.edge  = control[4];
+  assign \control$609.tile  = control[8:5];
+  assign \control$609.unload  = control[9];
+  assign \chain_i$611[0]  = chain_o[18:0];
+  assign \chain_i$611[1]  = chain_o[37:19];
+  assign \chain_i$611[2]  = chain_o[56:38];
+  assign \chain_i$611[3]  = chain_o[75:57];
+  assign \write$614.addr  = \$72 ;
+  assign \write$614.data  = \$74 [647:576];
+  assign \control$616.en  = control[0];
+  assign \control$616.first  = control[1];
+  assign \control$616.carried  = control[2];
+  assign \control$616.last  = control[3];
+  assign \control$616.edge  = control[4];
+  assign \control$616.tile  = control[8:5];
+  assign \control$616.unload  = control[9];
+  assign \chain_i$618[0]  = \chain_o$136 [18:0];
+  assign \chain_i$618[1]  = \chain_o$136 [37:19];
+  assign \chain_i$618[2]  = \chain_o$136 [56:38];
+  assign \chain_i$618[3]  = \chain_o$136 [75:57];
+  assign \write$621.addr  = \$72 ;
+  assign \write$621.data  = \$74 [647:576];
+  assign \control$623.en  = control[0];
+  assign \control$623.first  = control[1];
+  assign \control$623.carried  = control[2];
+  assign \control$623.last  = control[3];
+  assign \control$623.edge  = control[4];
+  assign \control$623.tile  = control[8:5];
+  assign \control$623.unload  = control[9];
+  assign \chain_i$625[0]  = \chain_o$145 [18:0];
+  assign \chain_i$625[1]  = \chain_o$145 [37:19];
+  assign \chain_i$625[2]  = \chain_o$145 [56:38];
+  assign \chain_i$625[3]  = \chain_o$145 [75:57];
+  assign \write$628.addr  = \$72 ;
+  assign \write$628.data  = \$74 [647:576];
+  assign \control$630.en  = control[0];
+  assign \control$630.first  = control[1];
+  assign \control$630.carried  = control[2];
+  assign \control$630.last  = control[3];
+  assign \control$630.edge  = control[4];
+  assign \control$630.tile  = control[8:5];
+  assign \control$630.unload  = control[9];
+  assign \chain_i$632[0]  = \chain_o$154 [18:0];
+  assign \chain_i$632[1]  = \chain_o$154 [37:19];
+  assign \chain_i$632[2]  = \chain_o$154 [56:38];
+  assign \chain_i$632[3]  = \chain_o$154 [75:57];
   assign \control0.en  = control0[0];
   assign \control0.first  = control0[1];
-  assign \control0.last  = control0[2];
-  assign \control0.edge  = control0[3];
-  assign \control0.tile  = control0[7:4];
+  assign \control0.carried  = control0[2];
+  assign \control0.last  = control0[3];
+  assign \control0.edge  = control0[4];
+  assign \control0.tile  = control0[8:5];
+  assign \control0.unload  = control0[9];
   assign \info0.tile  = info0[3:0];
   assign \info0.tile_last  = info0[4];
   assign \info0.slots  = info0[8:5];
   assign \info0.edge  = info0[9];
   assign \info0.image_last  = info0[10];
+  assign \info0.triple  = info0[11];
+  assign \info0.inner  = info0[12];
+  assign \info0.unloaded  = info0[13];
   assign \control1.en  = control1[0];
   assign \control1.first  = control1[1];
-  assign \control1.last  = control1[2];
-  assign \control1.edge  = control1[3];
-  assign \control1.tile  = control1[7:4];
+  assign \control1.carried  = control1[2];
+  assign \control1.last  = control1[3];
+  assign \control1.edge  = control1[4];
+  assign \control1.tile  = control1[8:5];
+  assign \control1.unload  = control1[9];
   assign \info1.tile  = info1[3:0];
   assign \info1.tile_last  = info1[4];
   assign \info1.slots  = info1[8:5];
   assign \info1.edge  = info1[9];
   assign \info1.image_last  = info1[10];
+  assign \info1.triple  = info1[11];
+  assign \info1.inner  = info1[12];
+  assign \info1.unloaded  = info1[13];
   assign \info2.tile  = info2[3:0];
   assign \info2.tile_last  = info2[4];
   assign \info2.slots  = info2[8:5];
   assign \info2.edge  = info2[9];
   assign \info2.image_last  = info2[10];
+  assign \info2.triple  = info2[11];
+  assign \info2.inner  = info2[12];
+  assign \info2.unloaded  = info2[13];
   assign heads[303:228] = \chain_o$154 ;
   assign heads[227:152] = \chain_o$145 ;
   assign heads[151:76] = \chain_o$136 ;
@@ -5438,63 +5814,77 @@ endmodule
 module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, mode, weight_base, requant_base, shape, error, weight_end, requant_end, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$2  = 0;
   wire [32:0] \$1 ;
-  wire [32:0] \$10 ;
-  wire [32:0] \$11 ;
-  wire [14:0] \$12 ;
-  wire [14:0] \$13 ;
+  wire \$10 ;
+  wire [31:0] \$11 ;
+  wire [31:0] \$12 ;
+  wire [31:0] \$13 ;
   wire [32:0] \$14 ;
   wire [32:0] \$15 ;
-  wire [33:0] \$16 ;
-  wire [34:0] \$17 ;
-  wire [34:0] \$18 ;
-  wire [33:0] \$19 ;
+  wire [14:0] \$16 ;
+  wire [14:0] \$17 ;
+  wire [32:0] \$18 ;
+  wire [32:0] \$19 ;
   wire [32:0] \$2 ;
-  wire [34:0] \$20 ;
+  wire [33:0] \$20 ;
   wire [34:0] \$21 ;
-  wire \$22 ;
-  wire [27:0] \$23 ;
-  wire [28:0] \$24 ;
-  wire \$25 ;
+  wire [34:0] \$22 ;
+  wire [33:0] \$23 ;
+  wire [34:0] \$24 ;
+  wire [34:0] \$25 ;
   wire \$26 ;
-  wire \$27 ;
-  wire \$28 ;
-  wire \$29 ;
+  wire [12:0] \$27 ;
+  wire [5:0] \$28 ;
+  wire [8:0] \$29 ;
   wire [14:0] \$3 ;
-  wire \$30 ;
-  wire \$31 ;
-  wire \$32 ;
-  wire \$33 ;
-  wire [29:0] \$34 ;
-  wire \$35 ;
+  wire [8:0] \$30 ;
+  wire [10:0] \$31 ;
+  wire [10:0] \$32 ;
+  wire [12:0] \$33 ;
+  wire [27:0] \$34 ;
+  wire [28:0] \$35 ;
   wire \$36 ;
   wire \$37 ;
   wire \$38 ;
-  wire [32:0] \$39 ;
+  wire \$39 ;
   wire [14:0] \$4 ;
   wire \$40 ;
-  wire [16:0] \$41 ;
-  wire [32:0] \$42 ;
+  wire \$41 ;
+  wire \$42 ;
   wire \$43 ;
   wire \$44 ;
-  wire [32:0] \$45 ;
-  wire [16:0] \$46 ;
-  wire [32:0] \$47 ;
-  reg [199:0] \$48 ;
-  reg [28:0] \$49 ;
+  wire [29:0] \$45 ;
+  wire \$46 ;
+  wire \$47 ;
+  wire \$48 ;
+  wire \$49 ;
   wire [32:0] \$5 ;
-  reg \$50 ;
-  reg \$51 ;
-  reg [2:0] \$52 ;
-  reg [10:0] \$53 ;
-  reg [8:0] \$54 ;
+  wire [32:0] \$50 ;
+  wire \$51 ;
+  wire [16:0] \$52 ;
+  wire [32:0] \$53 ;
+  wire \$54 ;
+  wire \$55 ;
+  wire [32:0] \$56 ;
+  wire [16:0] \$57 ;
+  wire [32:0] \$58 ;
+  reg [200:0] \$59 ;
   wire [32:0] \$6 ;
-  wire [31:0] \$7 ;
-  wire [31:0] \$8 ;
-  wire [31:0] \$9 ;
+  reg [11:0] \$60 ;
+  reg [28:0] \$61 ;
+  reg \$62 ;
+  reg \$63 ;
+  reg [2:0] \$64 ;
+  reg [10:0] \$65 ;
+  reg [8:0] \$66 ;
+  wire \$7 ;
+  wire \$8 ;
+  wire \$9 ;
   wire [13:0] \$signal ;
-  reg \$signal$16  = 1'h0;
-  wire [31:0] \$signal$7 ;
-  wire [25:0] \$signal$9 ;
+  wire [25:0] \$signal$10 ;
+  reg \$signal$18  = 1'h0;
+  wire [11:0] \$signal$3 ;
+  wire \$signal$5 ;
+  wire [31:0] \$signal$8 ;
   reg bad_shape = 1'h0;
   input [31:0] c_in;
   wire [31:0] c_in;
@@ -5512,21 +5902,22 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   (* enum_value_110 = "BAD_RANGE" *)
   output [2:0] error;
   reg [2:0] error = 3'h0;
-  wire halved;
   input [31:0] height;
   wire [31:0] height;
   wire [13:0] ingest_words;
   reg known_mode;
   input [31:0] mode;
   wire [31:0] mode;
+  wire \packed ;
+  reg [11:0] places = 12'h000;
   input [31:0] requant_base;
   wire [31:0] requant_base;
   output [8:0] requant_end;
   reg [8:0] requant_end = 9'h000;
   input rst;
   wire rst;
-  output [199:0] shape;
-  reg [199:0] shape = 200'h00000000000000000000000000000000000000000000000000;
+  output [200:0] shape;
+  reg [200:0] shape = 201'h000000000000000000000000000000000000000000000000000;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
   wire [15:0] \shape.beats_residual ;
@@ -5540,6 +5931,7 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   wire [15:0] \shape.out_height ;
   wire [15:0] \shape.out_width ;
   wire [11:0] \shape.output_words ;
+  wire \shape.packed ;
   wire \shape.pointwise ;
   wire \shape.residual ;
   wire [1:0] \shape.tail ;
@@ -5547,7 +5939,6 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   wire [15:0] \shape.width ;
   input soft_reset;
   wire soft_reset;
-  wire [11:0] tiles;
   input [31:0] weight_base;
   wire [31:0] weight_base;
   output [10:0] weight_end;
@@ -5555,61 +5946,74 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   reg [28:0] weight_words = 29'h00000000;
   input [31:0] width;
   wire [31:0] width;
-  assign \$44  = \$40  | \$43 ;
-  assign \$45  = weight_base + weight_words;
-  assign \$46  = shape[119:108] * 5'h10;
-  assign \$47  = requant_base + \$46 ;
+  assign \$31  = 2'h2 * \$30 ;
+  assign \$32  = \packed  ? \$31  : 11'h000;
+  assign \$33  = \$6 [11:0] - \$32 ;
+  assign \$34  = 2'h3 * \$signal$10 ;
+  assign \$35  = \$34  << shape[165];
+  assign \$36  = ~ known_mode;
+  assign \$37  = ! height;
+  assign \$38  = ! width;
+  assign \$39  = ! c_in;
+  assign \$40  = ! c_out;
+  assign \$41  = height > 16'hffff;
+  assign \$42  = width > 16'hffff;
+  assign \$43  = c_in > 11'h400;
+  assign \$44  = c_out > 11'h400;
+  assign \$45  = shape[62:48] * shape[107:93];
+  assign \$46  = \$45  > 9'h100;
+  assign \$47  = | { \$46 , \$44 , \$43 , \$42 , \$41 , \$40 , \$39 , \$38 , \$37  };
+  assign \$48  = weight_words > 11'h400;
+  assign \$49  = bad_shape | \$48 ;
+  assign \$50  = weight_base + weight_words;
+  assign \$51  = \$50  > 11'h400;
+  assign \$52  = shape[119:108] * 5'h10;
+  assign \$53  = requant_base + \$52 ;
+  assign \$54  = \$53  > 9'h100;
+  assign \$55  = \$51  | \$54 ;
+  assign \$56  = weight_base + weight_words;
+  assign \$57  = shape[119:108] * 5'h10;
+  assign \$58  = requant_base + \$57 ;
   always @(posedge clk)
-    shape <= \$48 ;
+    shape <= \$59 ;
   always @(posedge clk)
-    weight_words <= \$49 ;
+    places <= \$60 ;
   always @(posedge clk)
-    \$signal$16  <= \$50 ;
+    weight_words <= \$61 ;
   always @(posedge clk)
-    bad_shape <= \$51 ;
+    \$signal$18  <= \$62 ;
   always @(posedge clk)
-    error <= \$52 ;
+    bad_shape <= \$63 ;
   always @(posedge clk)
-    weight_end <= \$53 ;
+    error <= \$64 ;
   always @(posedge clk)
-    requant_end <= \$54 ;
+    weight_end <= \$65 ;
+  always @(posedge clk)
+    requant_end <= \$66 ;
   assign \$1  = c_in + 3'h7;
   assign \$3  = \$2 [13:0] + 1'h1;
   assign \$5  = c_out + 6'h3f;
-  assign \$7  = width[31:1] + width[0];
-  assign \$signal$7  = mode[9] ? \$7  : width;
-  assign \$signal$9  = shape[119:108] * shape[78:65];
-  assign \$8  = height[31:1] + height[0];
-  assign \$9  = mode[9] ? \$8  : height;
-  assign \$10  = \$signal$7  + 2'h3;
-  assign \$13  = mode[9] ? \$12  : { 1'h0, \$4 [13:0] };
-  assign \$14  = c_out + 4'hf;
-  assign \$16  = c_in * 2'h3;
-  assign \$17  = \$16  + 6'h3f;
-  assign \$19  = c_out * 2'h3;
-  assign \$20  = \$19  + 6'h3f;
-  assign \$22  = ~ mode[1];
-  assign \$23  = 2'h3 * \$signal$9 ;
-  assign \$24  = \$23  << shape[165];
-  assign \$25  = ~ known_mode;
-  assign \$26  = ! height;
-  assign \$27  = ! width;
-  assign \$28  = ! c_in;
-  assign \$29  = ! c_out;
-  assign \$30  = height > 16'hffff;
-  assign \$31  = width > 16'hffff;
-  assign \$32  = c_in > 11'h400;
-  assign \$33  = c_out > 11'h400;
-  assign \$34  = shape[62:48] * shape[107:93];
-  assign \$35  = \$34  > 9'h100;
-  assign \$36  = | { \$35 , \$33 , \$32 , \$31 , \$30 , \$29 , \$28 , \$27 , \$26  };
-  assign \$37  = weight_words > 11'h400;
-  assign \$38  = bad_shape | \$37 ;
-  assign \$39  = weight_base + weight_words;
-  assign \$40  = \$39  > 11'h400;
-  assign \$41  = shape[119:108] * 5'h10;
-  assign \$42  = requant_base + \$41 ;
-  assign \$43  = \$42  > 9'h100;
+  assign \$7  = ~ mode[1];
+  assign \$8  = \$2 [13:0] >= 6'h21;
+  assign \$9  = \$7  & \$8 ;
+  assign \$10  = \$6 [11:0] >= 2'h3;
+  assign \packed  = \$9  & \$10 ;
+  assign \$11  = width[31:1] + width[0];
+  assign \$signal$8  = mode[9] ? \$11  : width;
+  assign \$signal$10  = places * shape[78:65];
+  assign \$12  = height[31:1] + height[0];
+  assign \$13  = mode[9] ? \$12  : height;
+  assign \$14  = \$signal$8  + 2'h3;
+  assign \$17  = mode[9] ? \$16  : { 1'h0, \$4 [13:0] };
+  assign \$18  = c_out + 4'hf;
+  assign \$20  = c_in * 2'h3;
+  assign \$21  = \$20  + 6'h3f;
+  assign \$23  = c_out * 2'h3;
+  assign \$24  = \$23  + 6'h3f;
+  assign \$26  = ~ mode[1];
+  assign \$27  = \$6 [11:0] - 2'h2;
+  assign \$28  = \$27 [4:0] + 2'h2;
+  assign \$29  = \$28 [4:0] * 4'hb;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
     known_mode = 1'h0;
@@ -5620,107 +6024,118 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$48 [199:167] = shape[199:167];
-    \$48 [15:0] = height[15:0];
-    \$48 [31:16] = width[15:0];
-    \$48 [47:32] = \$9 [15:0];
-    \$48 [62:48] = \$11 [14:0];
-    \$48 [64:63] = \$signal$7 [1:0];
-    \$48 [78:65] = \$2 [13:0];
-    \$48 [92:79] = \$4 [13:0];
-    \$48 [107:93] = \$13 ;
-    \$48 [119:108] = \$6 [11:0];
-    \$48 [131:120] = \$15 [11:0];
-    \$48 [147:132] = \$18 [15:0];
-    \$48 [163:148] = \$21 [15:0];
-    \$48 [164] = \$22 ;
-    \$48 [165] = mode[9];
-    \$48 [166] = mode[24];
+    \$59 [200:168] = shape[200:168];
+    \$59 [15:0] = height[15:0];
+    \$59 [31:16] = width[15:0];
+    \$59 [47:32] = \$13 [15:0];
+    \$59 [62:48] = \$15 [14:0];
+    \$59 [64:63] = \$signal$8 [1:0];
+    \$59 [78:65] = \$2 [13:0];
+    \$59 [92:79] = \$4 [13:0];
+    \$59 [107:93] = \$17 ;
+    \$59 [119:108] = \$6 [11:0];
+    \$59 [131:120] = \$19 [11:0];
+    \$59 [147:132] = \$22 [15:0];
+    \$59 [163:148] = \$25 [15:0];
+    \$59 [164] = \$26 ;
+    \$59 [165] = mode[9];
+    \$59 [166] = \packed ;
+    \$59 [167] = mode[24];
     if (soft_reset) begin
-      \$48 [166:0] = 167'h000000000000000000000000000000000000000000;
+      \$59 [167:0] = 168'h000000000000000000000000000000000000000000;
     end
     if (rst) begin
-      \$48  = 200'h00000000000000000000000000000000000000000000000000;
+      \$59  = 201'h000000000000000000000000000000000000000000000000000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
+    \$60  = \$33 [11:0];
+    if (soft_reset) begin
+      \$60  = 12'h000;
+    end
+    if (rst) begin
+      \$60  = 12'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
     (* full_case = 32'd1 *)
     if (shape[164]) begin
-      \$49  = { 3'h0, \$signal$9  };
+      \$61  = { 3'h0, \$signal$10  };
     end else begin
-      \$49  = \$24 ;
+      \$61  = \$35 ;
     end
     if (soft_reset) begin
-      \$49  = 29'h00000000;
+      \$61  = 29'h00000000;
     end
     if (rst) begin
-      \$49  = 29'h00000000;
+      \$61  = 29'h00000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$50  = \$25 ;
+    \$62  = \$36 ;
     if (soft_reset) begin
-      \$50  = 1'h0;
+      \$62  = 1'h0;
     end
     if (rst) begin
-      \$50  = 1'h0;
+      \$62  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$51  = \$36 ;
+    \$63  = \$47 ;
     if (soft_reset) begin
-      \$51  = 1'h0;
+      \$63  = 1'h0;
     end
     if (rst) begin
-      \$51  = 1'h0;
+      \$63  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
     (* full_case = 32'd1 *)
-    if (\$signal$16 ) begin
-      \$52  = 3'h2;
-    end else if (\$38 ) begin
-      \$52  = 3'h1;
-    end else if (\$44 ) begin
-      \$52  = 3'h6;
+    if (\$signal$18 ) begin
+      \$64  = 3'h2;
+    end else if (\$49 ) begin
+      \$64  = 3'h1;
+    end else if (\$55 ) begin
+      \$64  = 3'h6;
     end else begin
-      \$52  = 3'h0;
+      \$64  = 3'h0;
     end
     if (soft_reset) begin
-      \$52  = 3'h0;
+      \$64  = 3'h0;
     end
     if (rst) begin
-      \$52  = 3'h0;
+      \$64  = 3'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$53  = \$45 [10:0];
+    \$65  = \$56 [10:0];
     if (soft_reset) begin
-      \$53  = 11'h000;
+      \$65  = 11'h000;
     end
     if (rst) begin
-      \$53  = 11'h000;
+      \$65  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$54  = \$47 [8:0];
+    \$66  = \$58 [8:0];
     if (soft_reset) begin
-      \$54  = 9'h000;
+      \$66  = 9'h000;
     end
     if (rst) begin
-      \$54  = 9'h000;
+      \$66  = 9'h000;
     end
   end
   assign \$signal  = \$2 [13:0];
   assign ingest_words = \$4 [13:0];
-  assign tiles = \$6 [11:0];
-  assign halved = mode[9];
+  assign \$signal$3  = \$6 [11:0];
+  assign \$signal$5  = mode[9];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
   assign \shape.out_height  = shape[47:32];
@@ -5735,40 +6150,42 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   assign \shape.beats_out  = shape[163:148];
   assign \shape.pointwise  = shape[164];
   assign \shape.halved  = shape[165];
-  assign \shape.biased  = shape[166];
-  assign \shape.residual  = shape[167];
-  assign \shape.out_width  = shape[183:168];
-  assign \shape.beats_residual  = shape[199:184];
+  assign \shape.packed  = shape[166];
+  assign \shape.biased  = shape[167];
+  assign \shape.residual  = shape[168];
+  assign \shape.out_width  = shape[184:169];
+  assign \shape.beats_residual  = shape[200:185];
   assign \$2  = { 3'h0, \$1 [32:3] };
   assign \$4  = { 1'h0, \$3 [14:1] };
   assign \$6  = { 6'h00, \$5 [32:6] };
-  assign \$11  = { 2'h0, \$10 [32:2] };
-  assign \$12  = { \$4 [13:0], 1'h0 };
-  assign \$15  = { 4'h0, \$14 [32:4] };
-  assign \$18  = { 6'h00, \$17 [34:6] };
-  assign \$21  = { 6'h00, \$20 [34:6] };
+  assign \$15  = { 2'h0, \$14 [32:2] };
+  assign \$16  = { \$4 [13:0], 1'h0 };
+  assign \$19  = { 4'h0, \$18 [32:4] };
+  assign \$22  = { 6'h00, \$21 [34:6] };
+  assign \$25  = { 6'h00, \$24 [34:6] };
+  assign \$30  = { 5'h00, \$29 [8:5] };
 endmodule
 
-module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_reset, requant_base, start, \heads$61 , info, shape, o__payload, valid, reload__addr, reload__data, reload__en, clk);
+module \macram_top.array.drain (rst, finished, credit, shift, o__ready, soft_reset, requant_base, start, \heads$75 , info, shape, o__payload, valid, reload__addr, reload__data, reload__en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$3  = 0;
   wire \$1 ;
-  reg [3:0] \$10 ;
-  wire [12:0] \$11 ;
+  wire \$10 ;
+  wire \$11 ;
   wire \$12 ;
   wire \$13 ;
   wire \$14 ;
   wire \$15 ;
   wire \$16 ;
   wire \$17 ;
-  wire \$18 ;
+  wire [1:0] \$18 ;
   wire [4:0] \$19 ;
   wire \$2 ;
-  wire [4:0] \$20 ;
+  wire [8:0] \$20 ;
   wire \$21 ;
   wire \$22 ;
-  wire \$23 ;
-  wire [2:0] \$24 ;
-  wire \$25 ;
+  wire [3:0] \$23 ;
+  reg [3:0] \$24 ;
+  wire [12:0] \$25 ;
   wire \$26 ;
   wire \$27 ;
   wire \$28 ;
@@ -5777,79 +6194,122 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire \$30 ;
   wire \$31 ;
   wire \$32 ;
-  wire \$33 ;
-  wire [2:0] \$34 ;
-  wire [12:0] \$35 ;
-  wire [2:0] \$36 ;
-  reg \$37 ;
-  reg [10:0] \$38 ;
-  reg \$39 ;
+  wire [5:0] \$33 ;
+  wire [5:0] \$34 ;
+  wire \$35 ;
+  wire \$36 ;
+  wire [2:0] \$37 ;
+  wire [18:0] \$38 ;
+  wire \$39 ;
   wire \$4 ;
-  reg [3:0] \$40 ;
-  reg [10:0] \$41 ;
-  reg [3:0] \$42 ;
-  reg [1:0] \$43 ;
-  reg \$44 ;
-  reg \$45 ;
-  reg \$46 ;
-  reg \$47 ;
-  reg \$48 ;
-  reg \$49 ;
+  wire [18:0] \$40 ;
+  wire \$41 ;
+  wire [18:0] \$42 ;
+  wire \$43 ;
+  wire [18:0] \$44 ;
+  wire \$45 ;
+  wire \$46 ;
+  wire \$47 ;
+  wire \$48 ;
+  wire \$49 ;
   wire \$5 ;
-  reg \$50 ;
-  reg \$51 ;
-  reg \$52 ;
-  reg \$53 ;
-  reg [1:0] \$54 ;
-  reg [2:0] \$55 ;
-  reg [11:0] \$56 ;
-  reg [1:0] \$57 ;
-  reg [1:0] \$58 ;
-  reg [3:0] \$59 ;
+  wire \$50 ;
+  wire \$51 ;
+  wire \$52 ;
+  wire \$53 ;
+  wire [2:0] \$54 ;
+  wire [12:0] \$55 ;
+  wire [2:0] \$56 ;
+  reg \$57 ;
+  reg [13:0] \$58 ;
+  reg \$59 ;
   wire \$6 ;
-  reg [3:0] \$60 ;
-  reg [3:0] \$61 ;
+  reg [4:0] \$60 ;
+  reg [13:0] \$61 ;
   reg [3:0] \$62 ;
-  reg [3:0] \$63 ;
-  reg [3:0] \$64 ;
+  reg [1:0] \$63 ;
+  reg [303:0] \$64 ;
+  reg \$65 ;
+  reg \$66 ;
+  reg \$67 ;
+  reg \$68 ;
+  reg \$69 ;
   wire \$7 ;
-  wire [8:0] \$8 ;
-  wire [3:0] \$9 ;
+  reg \$70 ;
+  reg \$71 ;
+  reg \$72 ;
+  reg \$73 ;
+  reg \$74 ;
+  reg [1:0] \$75 ;
+  reg [2:0] \$76 ;
+  reg [11:0] \$77 ;
+  reg [1:0] \$78 ;
+  reg [1:0] \$79 ;
+  wire \$8 ;
+  reg [3:0] \$80 ;
+  reg [3:0] \$81 ;
+  reg [3:0] \$82 ;
+  reg [3:0] \$83 ;
+  reg [3:0] \$84 ;
+  reg [3:0] \$85 ;
+  wire \$9 ;
   wire \$signal ;
+  wire \$signal$10 ;
+  reg \$signal$100  = 1'h0;
+  reg [5:0] \$signal$101  = 6'h00;
+  reg \$signal$102  = 1'h0;
+  reg \$signal$103  = 1'h0;
+  reg \$signal$104  = 1'h0;
+  reg [3:0] \$signal$105  = 4'h0;
+  reg \$signal$106  = 1'h0;
+  wire \$signal$11 ;
   wire \$signal$12 ;
-  reg \$signal$13  = 1'h0;
-  (* init = 8'h00 *)
-  wire [7:0] \$signal$27 ;
+  wire \$signal$13 ;
+  wire \$signal$15 ;
+  reg \$signal$16  = 1'h0;
+  wire [1:0] \$signal$18 ;
+  wire \$signal$2 ;
   reg [3:0] \$signal$3  = 4'h0;
-  reg \$signal$31  = 1'h0;
-  reg [1:0] \$signal$32  = 2'h0;
-  reg [1:0] \$signal$34  = 2'h0;
-  reg [1:0] \$signal$39  = 2'h0;
+  (* init = 6'h00 *)
+  wire [5:0] \$signal$32 ;
+  reg \$signal$36  = 1'h0;
+  reg \$signal$37  = 1'h0;
+  reg \$signal$38  = 1'h0;
+  (* init = 8'h00 *)
+  wire [7:0] \$signal$43 ;
+  reg [1:0] \$signal$46  = 2'h0;
+  reg [1:0] \$signal$48  = 2'h0;
+  reg [1:0] \$signal$53  = 2'h0;
   reg \$signal$6  = 1'h0;
-  reg [7:0] \$signal$63  = 8'h00;
-  reg [1:0] \$signal$64  = 2'h0;
-  reg \$signal$65  = 1'h0;
-  reg \$signal$66  = 1'h0;
-  reg [3:0] \$signal$67  = 4'h0;
-  reg \$signal$68  = 1'h0;
-  reg [7:0] \$signal$69  = 8'h00;
-  reg [1:0] \$signal$70  = 2'h0;
-  reg \$signal$71  = 1'h0;
-  reg \$signal$72  = 1'h0;
-  reg [3:0] \$signal$73  = 4'h0;
-  reg \$signal$74  = 1'h0;
-  reg [7:0] \$signal$75  = 8'h00;
-  reg [1:0] \$signal$76  = 2'h0;
-  reg \$signal$77  = 1'h0;
-  reg \$signal$78  = 1'h0;
-  reg [3:0] \$signal$79  = 4'h0;
+  reg [7:0] \$signal$77  = 8'h00;
+  reg [1:0] \$signal$78  = 2'h0;
+  reg \$signal$79  = 1'h0;
+  wire \$signal$8 ;
   reg \$signal$80  = 1'h0;
-  reg \$signal$81  = 1'h0;
-  reg [3:0] \$signal$82  = 4'h0;
-  reg \$signal$83  = 1'h0;
-  wire \$signal$9 ;
+  reg [3:0] \$signal$81  = 4'h0;
+  reg \$signal$82  = 1'h0;
+  reg [5:0] \$signal$83  = 6'h00;
+  reg \$signal$84  = 1'h0;
+  reg \$signal$85  = 1'h0;
+  reg [7:0] \$signal$86  = 8'h00;
+  reg [1:0] \$signal$87  = 2'h0;
+  reg \$signal$88  = 1'h0;
+  reg \$signal$89  = 1'h0;
+  reg [3:0] \$signal$90  = 4'h0;
+  reg \$signal$91  = 1'h0;
+  reg [5:0] \$signal$92  = 6'h00;
+  reg \$signal$93  = 1'h0;
+  reg \$signal$94  = 1'h0;
+  reg [7:0] \$signal$95  = 8'h00;
+  reg [1:0] \$signal$96  = 2'h0;
+  reg \$signal$97  = 1'h0;
+  reg \$signal$98  = 1'h0;
+  reg [3:0] \$signal$99  = 4'h0;
   wire [7:0] \$signature__addr ;
+  reg [5:0] \$signature__addr$31  = 6'h00;
   wire [671:0] \$signature__data ;
+  wire [23:0] \$signature__data$33 ;
+  wire \$signature__en ;
   reg [303:0] accumulators = 304'h0000000000000000000000000000000000000000000000000000000000000000000000000000;
   wire [75:0] \accumulators[0] ;
   wire [18:0] \accumulators[0][0] ;
@@ -5877,45 +6337,47 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire [47:0] codes;
   output credit;
   wire credit;
-  reg [10:0] current = 11'h000;
+  reg [13:0] current = 14'h0000;
   wire \current.edge ;
   wire \current.image_last ;
+  wire \current.inner ;
   wire [3:0] \current.slots ;
   wire [3:0] \current.tile ;
   wire \current.tile_last ;
+  wire \current.triple ;
+  wire \current.unloaded ;
   reg \edge  = 1'h0;
   wire fetch;
   reg [3:0] filled = 4'h0;
   input finished;
   wire finished;
-  wire free;
   wire [7:0] get__addr;
   wire [191:0] get__data;
   wire get__en;
   (* init = 304'h0000000000000000000000000000000000000000000000000000000000000000000000000000 *)
   wire [303:0] heads;
-  input [303:0] \heads$61 ;
-  wire [303:0] \heads$61 ;
-  wire [75:0] \heads$61[0] ;
-  wire [18:0] \heads$61[0][0] ;
-  wire [18:0] \heads$61[0][1] ;
-  wire [18:0] \heads$61[0][2] ;
-  wire [18:0] \heads$61[0][3] ;
-  wire [75:0] \heads$61[1] ;
-  wire [18:0] \heads$61[1][0] ;
-  wire [18:0] \heads$61[1][1] ;
-  wire [18:0] \heads$61[1][2] ;
-  wire [18:0] \heads$61[1][3] ;
-  wire [75:0] \heads$61[2] ;
-  wire [18:0] \heads$61[2][0] ;
-  wire [18:0] \heads$61[2][1] ;
-  wire [18:0] \heads$61[2][2] ;
-  wire [18:0] \heads$61[2][3] ;
-  wire [75:0] \heads$61[3] ;
-  wire [18:0] \heads$61[3][0] ;
-  wire [18:0] \heads$61[3][1] ;
-  wire [18:0] \heads$61[3][2] ;
-  wire [18:0] \heads$61[3][3] ;
+  input [303:0] \heads$75 ;
+  wire [303:0] \heads$75 ;
+  wire [75:0] \heads$75[0] ;
+  wire [18:0] \heads$75[0][0] ;
+  wire [18:0] \heads$75[0][1] ;
+  wire [18:0] \heads$75[0][2] ;
+  wire [18:0] \heads$75[0][3] ;
+  wire [75:0] \heads$75[1] ;
+  wire [18:0] \heads$75[1][0] ;
+  wire [18:0] \heads$75[1][1] ;
+  wire [18:0] \heads$75[1][2] ;
+  wire [18:0] \heads$75[1][3] ;
+  wire [75:0] \heads$75[2] ;
+  wire [18:0] \heads$75[2][0] ;
+  wire [18:0] \heads$75[2][1] ;
+  wire [18:0] \heads$75[2][2] ;
+  wire [18:0] \heads$75[2][3] ;
+  wire [75:0] \heads$75[3] ;
+  wire [18:0] \heads$75[3][0] ;
+  wire [18:0] \heads$75[3][1] ;
+  wire [18:0] \heads$75[3][2] ;
+  wire [18:0] \heads$75[3][3] ;
   wire [75:0] \heads[0] ;
   wire [18:0] \heads[0][0] ;
   wire [18:0] \heads[0][1] ;
@@ -5937,21 +6399,29 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire [18:0] \heads[3][2] ;
   wire [18:0] \heads[3][3] ;
   reg [3:0] image_last = 4'h0;
-  reg [3:0] index = 4'h0;
-  input [10:0] info;
-  wire [10:0] info;
+  reg [4:0] index = 5'h00;
+  input [13:0] info;
+  wire [13:0] info;
   wire \info.edge ;
   wire \info.image_last ;
+  wire \info.inner ;
   wire [3:0] \info.slots ;
   wire [3:0] \info.tile ;
   wire \info.tile_last ;
-  wire [10:0] info_now;
+  wire \info.triple ;
+  wire \info.unloaded ;
+  wire [13:0] info_now;
   wire \info_now.edge ;
   wire \info_now.image_last ;
+  wire \info_now.inner ;
   wire [3:0] \info_now.slots ;
   wire [3:0] \info_now.tile ;
   wire \info_now.tile_last ;
-  wire last_cycle;
+  wire \info_now.triple ;
+  wire \info_now.unloaded ;
+  (* init = 6'h00 *)
+  wire [5:0] kept__addr;
+  wire [23:0] kept__data;
   reg [2:0] meta = 3'h0;
   wire \meta.data ;
   wire \meta.last ;
@@ -5967,6 +6437,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire o__valid;
   wire [671:0] parameters;
   wire pixel_after;
+  wire [47:0] pixels;
   reg [7:0] put__addr = 8'h00;
   wire [191:0] put__data;
   wire [3:0] put__en;
@@ -5982,8 +6453,8 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire rst;
   reg [1:0] section = 2'h0;
   wire section_done;
-  input [199:0] shape;
-  wire [199:0] shape;
+  input [200:0] shape;
+  wire [200:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
   wire [15:0] \shape.beats_residual ;
@@ -5997,6 +6468,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire [15:0] \shape.out_height ;
   wire [15:0] \shape.out_width ;
   wire [11:0] \shape.output_words ;
+  wire \shape.packed ;
   wire \shape.pointwise ;
   wire \shape.residual ;
   wire [1:0] \shape.tail ;
@@ -6013,156 +6485,209 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire soft_reset;
   input start;
   wire start;
+  wire [3:0] tile;
   wire [3:0] todo;
   output valid;
   reg valid = 1'h0;
-  reg [10:0] waiting = 11'h000;
+  reg [13:0] waiting = 14'h0000;
   wire \waiting.edge ;
   wire \waiting.image_last ;
+  wire \waiting.inner ;
   wire [3:0] \waiting.slots ;
   wire [3:0] \waiting.tile ;
   wire \waiting.tile_last ;
+  wire \waiting.triple ;
+  wire \waiting.unloaded ;
   reg [11:0] word = 12'h000;
   wire word_last;
   wire [679:0] write;
   wire [7:0] \write.addr ;
   wire [671:0] \write.data ;
   wire write_en;
-  assign \$23  = last_cycle & info_now[4];
-  assign \$24  = section + 1'h1;
-  assign \$25  = last_cycle & info_now[4];
-  assign \$28  = fetch & todo[0];
-  assign \$29  = image_last >> \$signal$34 ;
-  assign \$30  = ~ pixel_after;
-  assign \$31  = \$29  & \$30 ;
-  assign \$32  = ~ todo[0];
-  assign \$33  = \$32  | word_last;
-  assign \$34  = \$signal$39  + 1'h1;
-  assign \$35  = word + 1'h1;
-  assign \$36  = \$signal$34  + 1'h1;
-  always @(posedge clk)
-    \$signal$13  <= \$37 ;
-  always @(posedge clk)
-    waiting <= \$38 ;
-  always @(posedge clk)
-    \$signal$6  <= \$39 ;
-  always @(posedge clk)
-    index <= \$40 ;
-  always @(posedge clk)
-    current <= \$41 ;
-  always @(posedge clk)
-    \$signal$3  <= \$42 ;
-  always @(posedge clk)
-    section <= \$43 ;
-  always @(posedge clk)
-    accumulators <= \heads$61 ;
-  always @(posedge clk)
-    \edge  <= \$44 ;
-  always @(posedge clk)
-    \$signal$63  <= { section, info_now[3:0], index[3:2] };
-  always @(posedge clk)
-    \$signal$64  <= index[1:0];
-  always @(posedge clk)
-    \$signal$65  <= \$45 ;
-  always @(posedge clk)
-    \$signal$66  <= \$46 ;
-  always @(posedge clk)
-    \$signal$67  <= info_now[8:5];
-  always @(posedge clk)
-    \$signal$68  <= info_now[10];
-  always @(posedge clk)
-    \$signal$69  <= \$signal$63 ;
-  always @(posedge clk)
-    \$signal$70  <= \$signal$64 ;
-  always @(posedge clk)
-    \$signal$71  <= \$47 ;
-  always @(posedge clk)
-    \$signal$72  <= \$48 ;
-  always @(posedge clk)
-    \$signal$73  <= \$signal$67 ;
-  always @(posedge clk)
-    \$signal$74  <= \$signal$68 ;
-  always @(posedge clk)
-    \$signal$75  <= \$signal$69 ;
-  always @(posedge clk)
-    \$signal$76  <= \$signal$70 ;
-  always @(posedge clk)
-    \$signal$77  <= \$49 ;
-  always @(posedge clk)
-    \$signal$78  <= \$50 ;
-  always @(posedge clk)
-    \$signal$79  <= \$signal$73 ;
-  always @(posedge clk)
-    \$signal$80  <= \$signal$74 ;
-  always @(posedge clk)
-    put__addr <= \$signal$75 ;
-  always @(posedge clk)
-    \$signal$32  <= \$signal$76 ;
-  always @(posedge clk)
-    \$signal$31  <= \$51 ;
-  always @(posedge clk)
-    \$signal$81  <= \$52 ;
-  always @(posedge clk)
-    \$signal$82  <= \$signal$79 ;
-  always @(posedge clk)
-    \$signal$83  <= \$signal$80 ;
-  always @(posedge clk)
-    valid <= \$53 ;
-  always @(posedge clk)
-    slot_read <= \$54 ;
-  always @(posedge clk)
-    meta <= \$55 ;
-  always @(posedge clk)
-    word <= \$56 ;
-  always @(posedge clk)
-    \$signal$39  <= \$57 ;
-  always @(posedge clk)
-    \$signal$34  <= \$58 ;
-  always @(posedge clk)
-    filled <= \$59 ;
-  always @(posedge clk)
-    image_last <= \$60 ;
-  always @(posedge clk)
-    slots0 <= \$61 ;
-  always @(posedge clk)
-    slots1 <= \$62 ;
-  always @(posedge clk)
-    slots2 <= \$63 ;
-  always @(posedge clk)
-    slots3 <= \$64 ;
-  assign \$signal  = ! waiting[3:0];
-  assign \$1  = ~ \$signal ;
-  assign \$2  = \$signal$3  >> section;
-  assign \$3  = ~ \$2 ;
-  assign free = \$1  | \$3 ;
-  assign info_now = \$signal$6  ? current : waiting;
-  assign \$4  = index == 4'hf;
-  assign last_cycle = \$signal$9  & \$4 ;
-  assign \$5  = ~ \$signal$6 ;
-  assign \$6  = \$signal$13  & \$5 ;
-  assign \$signal$12  = \$6  & free;
-  assign \$signal$9  = \$signal$6  | \$signal$12 ;
-  assign \$7  = index == 4'h9;
-  assign credit = \$signal$9  & \$7 ;
-  assign \$8  = { info_now[3:0], index } + requant_base;
-  assign \$9  = 1'h1 << \$signal$32 ;
-  assign put__en = \$signal$31  ? \$9  : 4'h0;
-  assign todo = \$10  >> \$signal$39 ;
-  assign \$11  = word + 1'h1;
-  assign word_last = \$11  == shape[131:120];
+  assign \$signal$10  = \$10  & \$signal$8 ;
+  assign \$11  = \$signal$10  & info_now[4];
+  assign \$12  = ~ info_now[11];
+  assign \$13  = info_now[13] | \$12 ;
+  assign \$signal$12  = \$11  & \$13 ;
+  assign \$14  = index[3:0] == 4'h9;
+  assign \$15  = \$signal$11  & \$14 ;
+  assign \$signal$13  = \$15  & \$signal$8 ;
+  assign \$16  = ~ \$signal$6 ;
+  assign \$17  = \$signal$16  & \$16 ;
+  assign \$signal$15  = \$17  & \$signal$2 ;
+  assign \$signal$11  = \$signal$6  | \$signal$15 ;
+  assign \$18  = 1'h1 + index[4];
+  assign \$signal$18  = info_now[13] ? \$18  : 2'h0;
+  assign \$19  = info_now[3:0] + \$signal$18 ;
+  assign \$20  = { \$19 [3:0], index[3:0] } + requant_base;
+  assign \$21  = \$signal$36  & \$signal$37 ;
+  assign \$22  = ~ \$signal$38 ;
+  assign \$signature__en  = \$21  & \$22 ;
+  assign pixels = \$signal$37  ? { kept__data[23:12], codes[47:36], codes[11:0], kept__data[11:0] } : codes;
+  assign \$23  = 1'h1 << \$signal$46 ;
+  assign put__en = \$signal$36  ? \$23  : 4'h0;
+  assign todo = \$24  >> \$signal$53 ;
+  assign \$25  = word + 1'h1;
+  assign word_last = \$25  == shape[131:120];
   assign pixel_after = | todo[3:1];
-  assign \$12  = ~ valid;
-  assign advance = \$12  | o__ready;
-  assign \$13  = filled >> \$signal$34 ;
-  assign fetch = \$13  & advance;
-  assign \$14  = ~ todo[0];
-  assign \$15  = word_last | \$14 ;
-  assign \$16  = fetch & \$15 ;
-  assign \$17  = ~ pixel_after;
-  assign section_done = \$16  & \$17 ;
-  assign \$18  = ~ last_cycle;
-  assign \$19  = index + 1'h1;
-  assign \$20  = last_cycle ? 5'h00 : \$19 ;
+  assign \$26  = ~ valid;
+  assign advance = \$26  | o__ready;
+  assign \$27  = filled >> \$signal$48 ;
+  assign fetch = \$27  & advance;
+  assign \$28  = ~ todo[0];
+  assign \$29  = word_last | \$28 ;
+  assign \$30  = fetch & \$29 ;
+  assign \$31  = ~ pixel_after;
+  assign section_done = \$30  & \$31 ;
+  assign \$32  = ~ \$signal$10 ;
+  assign \$33  = index + 1'h1;
+  assign \$34  = \$signal$10  ? 6'h00 : \$33 ;
+  assign \$37  = section + 1'h1;
+  assign \$38  = index[4] ? \heads$75 [56:38] : \heads$75 [37:19];
+  assign \$39  = ~ index[4];
+  assign \$40  = index[4] ? \heads$75 [132:114] : \heads$75 [113:95];
+  assign \$41  = ~ index[4];
+  assign \$42  = index[4] ? \heads$75 [208:190] : \heads$75 [189:171];
+  assign \$43  = ~ index[4];
+  assign \$44  = index[4] ? \heads$75 [284:266] : \heads$75 [265:247];
+  assign \$45  = ~ index[4];
+  assign \$48  = fetch & todo[0];
+  assign \$49  = image_last >> \$signal$48 ;
+  assign \$50  = ~ pixel_after;
+  assign \$51  = \$49  & \$50 ;
+  assign \$52  = ~ todo[0];
+  assign \$53  = \$52  | word_last;
+  assign \$54  = \$signal$53  + 1'h1;
+  assign \$55  = word + 1'h1;
+  assign \$56  = \$signal$48  + 1'h1;
+  always @(posedge clk)
+    \$signal$16  <= \$57 ;
+  always @(posedge clk)
+    waiting <= \$58 ;
+  always @(posedge clk)
+    \$signal$6  <= \$59 ;
+  always @(posedge clk)
+    index <= \$60 ;
+  always @(posedge clk)
+    current <= \$61 ;
+  always @(posedge clk)
+    \$signal$3  <= \$62 ;
+  always @(posedge clk)
+    section <= \$63 ;
+  always @(posedge clk)
+    accumulators <= \$64 ;
+  always @(posedge clk)
+    \edge  <= \$65 ;
+  always @(posedge clk)
+    \$signal$77  <= { section, \$19 [3:0], index[3:2] };
+  always @(posedge clk)
+    \$signal$78  <= index[1:0];
+  always @(posedge clk)
+    \$signal$79  <= \$66 ;
+  always @(posedge clk)
+    \$signal$80  <= \$67 ;
+  always @(posedge clk)
+    \$signal$81  <= info_now[8:5];
+  always @(posedge clk)
+    \$signal$82  <= info_now[10];
+  always @(posedge clk)
+    \$signal$83  <= { \$signal$18 , index[3:0] };
+  always @(posedge clk)
+    \$signal$84  <= info_now[11];
+  always @(posedge clk)
+    \$signal$85  <= info_now[12];
+  always @(posedge clk)
+    \$signal$86  <= \$signal$77 ;
+  always @(posedge clk)
+    \$signal$87  <= \$signal$78 ;
+  always @(posedge clk)
+    \$signal$88  <= \$68 ;
+  always @(posedge clk)
+    \$signal$89  <= \$69 ;
+  always @(posedge clk)
+    \$signal$90  <= \$signal$81 ;
+  always @(posedge clk)
+    \$signal$91  <= \$signal$82 ;
+  always @(posedge clk)
+    \$signal$92  <= \$signal$83 ;
+  always @(posedge clk)
+    \$signal$93  <= \$signal$84 ;
+  always @(posedge clk)
+    \$signal$94  <= \$signal$85 ;
+  always @(posedge clk)
+    \$signal$95  <= \$signal$86 ;
+  always @(posedge clk)
+    \$signal$96  <= \$signal$87 ;
+  always @(posedge clk)
+    \$signal$97  <= \$70 ;
+  always @(posedge clk)
+    \$signal$98  <= \$71 ;
+  always @(posedge clk)
+    \$signal$99  <= \$signal$90 ;
+  always @(posedge clk)
+    \$signal$100  <= \$signal$91 ;
+  always @(posedge clk)
+    \$signal$101  <= \$signal$92 ;
+  always @(posedge clk)
+    \$signal$102  <= \$signal$93 ;
+  always @(posedge clk)
+    \$signal$103  <= \$signal$94 ;
+  always @(posedge clk)
+    put__addr <= \$signal$95 ;
+  always @(posedge clk)
+    \$signal$46  <= \$signal$96 ;
+  always @(posedge clk)
+    \$signal$36  <= \$72 ;
+  always @(posedge clk)
+    \$signal$104  <= \$73 ;
+  always @(posedge clk)
+    \$signal$105  <= \$signal$99 ;
+  always @(posedge clk)
+    \$signal$106  <= \$signal$100 ;
+  always @(posedge clk)
+    \$signature__addr$31  <= \$signal$101 ;
+  always @(posedge clk)
+    \$signal$37  <= \$signal$102 ;
+  always @(posedge clk)
+    \$signal$38  <= \$signal$103 ;
+  always @(posedge clk)
+    valid <= \$74 ;
+  always @(posedge clk)
+    slot_read <= \$75 ;
+  always @(posedge clk)
+    meta <= \$76 ;
+  always @(posedge clk)
+    word <= \$77 ;
+  always @(posedge clk)
+    \$signal$53  <= \$78 ;
+  always @(posedge clk)
+    \$signal$48  <= \$79 ;
+  always @(posedge clk)
+    filled <= \$80 ;
+  always @(posedge clk)
+    image_last <= \$81 ;
+  always @(posedge clk)
+    slots0 <= \$82 ;
+  always @(posedge clk)
+    slots1 <= \$83 ;
+  always @(posedge clk)
+    slots2 <= \$84 ;
+  always @(posedge clk)
+    slots3 <= \$85 ;
+  assign \$1  = ! waiting[3:0];
+  assign \$2  = ~ waiting[12];
+  assign \$3  = \$1  & \$2 ;
+  assign \$4  = ~ waiting[13];
+  assign \$signal  = \$3  & \$4 ;
+  assign \$5  = ~ \$signal ;
+  assign \$6  = \$signal$3  >> section;
+  assign \$7  = ~ \$6 ;
+  assign \$signal$2  = \$5  | \$7 ;
+  assign info_now = \$signal$6  ? current : waiting;
+  assign \$8  = ~ info_now[13];
+  assign \$signal$8  = index[4] | \$8 ;
+  assign \$9  = index[3:0] == 4'hf;
+  assign \$10  = \$signal$11  & \$9 ;
   macram_ram #(
     .ADDR_BITS(32'd8),
     .DEPTH(32'd256),
@@ -6171,12 +6696,26 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
     .WIDTH(32'd192)
   ) buffer (
     .clk(clk),
-    .read_addr({ \$signal$34 , word[5:0] }),
+    .read_addr({ \$signal$48 , word[5:0] }),
     .read_data(get__data),
     .read_en(advance),
     .write_addr(put__addr),
-    .write_data({ codes, codes, codes, codes }),
+    .write_data({ pixels, pixels, pixels, pixels }),
     .write_en(put__en)
+  );
+  macram_lutram #(
+    .ADDR_BITS(32'd6),
+    .DEPTH(32'd48),
+    .INIT_FILE(),
+    .LANES(32'd1),
+    .WIDTH(32'd24)
+  ) outer (
+    .clk(clk),
+    .read_addr(\$signature__addr$31 ),
+    .read_data(kept__data),
+    .write_addr(\$signature__addr$31 ),
+    .write_data({ codes[47:36], codes[11:0] }),
+    .write_en(\$signature__en )
   );
   macram_ram #(
     .ADDR_BITS(32'd8),
@@ -6184,9 +6723,9 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
     .INIT_FILE("requant.mem"),
     .LANES(32'd1),
     .WIDTH(32'd672)
-  ) \parameters$87  (
+  ) \parameters$110  (
     .clk(clk),
-    .read_addr(\$8 [7:0]),
+    .read_addr(\$20 [7:0]),
     .read_data(parameters),
     .read_en(1'h1),
     .write_addr(reload__addr),
@@ -6202,6 +6741,20 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
     .rst(rst),
     .soft_reset(soft_reset)
   );
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    (* full_case = 32'd1 *)
+    casez (\$signal$48 )
+      2'h0:
+          \$24  = slots0;
+      2'h1:
+          \$24  = slots1;
+      2'h2:
+          \$24  = slots2;
+      2'h3:
+          \$24  = slots3;
+    endcase
+  end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
     (* full_case = 32'd1 *)
@@ -6224,451 +6777,479 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$37  = \$signal$13 ;
+    \$57  = \$signal$16 ;
     if (finished) begin
-      \$37  = 1'h1;
-    end else if (\$signal$12 ) begin
-      \$37  = 1'h0;
+      \$57  = 1'h1;
+    end else if (\$signal$15 ) begin
+      \$57  = 1'h0;
     end
     if (start) begin
-      \$37  = 1'h0;
+      \$57  = 1'h0;
     end
     if (soft_reset) begin
-      \$37  = 1'h0;
+      \$57  = 1'h0;
     end
     if (rst) begin
-      \$37  = 1'h0;
+      \$57  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$38  = waiting;
+    \$58  = waiting;
     if (finished) begin
-      \$38  = info;
+      \$58  = info;
     end
     if (soft_reset) begin
-      \$38  = 11'h000;
+      \$58  = 14'h0000;
     end
     if (rst) begin
-      \$38  = 11'h000;
+      \$58  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$39  = \$signal$6 ;
-    if (\$signal$9 ) begin
-      \$39  = \$18 ;
+    \$59  = \$signal$6 ;
+    if (\$signal$11 ) begin
+      \$59  = \$32 ;
     end
     if (start) begin
-      \$39  = 1'h0;
+      \$59  = 1'h0;
     end
     if (soft_reset) begin
-      \$39  = 1'h0;
+      \$59  = 1'h0;
     end
     if (rst) begin
-      \$39  = 1'h0;
+      \$59  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$40  = index;
-    if (\$signal$9 ) begin
-      \$40  = \$20 [3:0];
+    \$60  = index;
+    if (\$signal$11 ) begin
+      \$60  = \$34 [4:0];
     end
     if (start) begin
-      \$40  = 4'h0;
+      \$60  = 5'h00;
     end
     if (soft_reset) begin
-      \$40  = 4'h0;
+      \$60  = 5'h00;
     end
     if (rst) begin
-      \$40  = 4'h0;
+      \$60  = 5'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$41  = current;
-    if (\$signal$12 ) begin
-      \$41  = waiting;
+    \$61  = current;
+    if (\$signal$15 ) begin
+      \$61  = waiting;
     end
     if (soft_reset) begin
-      \$41  = 11'h000;
+      \$61  = 14'h0000;
     end
     if (rst) begin
-      \$41  = 11'h000;
+      \$61  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$42  = \$signal$3 ;
-    if (\$signal$12 ) begin
-      if (\$22 ) begin
+    \$62  = \$signal$3 ;
+    if (\$signal$15 ) begin
+      if (\$36 ) begin
         (* full_case = 32'd1 *)
         casez (section)
           2'h0:
-              \$42 [0] = 1'h1;
+              \$62 [0] = 1'h1;
           2'h1:
-              \$42 [1] = 1'h1;
+              \$62 [1] = 1'h1;
           2'h2:
-              \$42 [2] = 1'h1;
+              \$62 [2] = 1'h1;
           2'h3:
-              \$42 [3] = 1'h1;
+              \$62 [3] = 1'h1;
         endcase
       end
     end
     if (section_done) begin
       (* full_case = 32'd1 *)
-      casez (\$signal$34 )
+      casez (\$signal$48 )
         2'h0:
-            \$42 [0] = 1'h0;
+            \$62 [0] = 1'h0;
         2'h1:
-            \$42 [1] = 1'h0;
+            \$62 [1] = 1'h0;
         2'h2:
-            \$42 [2] = 1'h0;
+            \$62 [2] = 1'h0;
         2'h3:
-            \$42 [3] = 1'h0;
+            \$62 [3] = 1'h0;
       endcase
     end
     if (start) begin
-      \$42  = 4'h0;
+      \$62  = 4'h0;
     end
     if (soft_reset) begin
-      \$42  = 4'h0;
+      \$62  = 4'h0;
     end
     if (rst) begin
-      \$42  = 4'h0;
+      \$62  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$43  = section;
-    if (\$23 ) begin
-      \$43  = \$24 [1:0];
+    \$63  = section;
+    if (\$signal$12 ) begin
+      \$63  = \$37 [1:0];
     end
     if (start) begin
-      \$43  = 2'h0;
+      \$63  = 2'h0;
     end
     if (soft_reset) begin
-      \$43  = 2'h0;
+      \$63  = 2'h0;
     end
     if (rst) begin
-      \$43  = 2'h0;
+      \$63  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$44  = info_now[9];
-    if (soft_reset) begin
-      \$44  = 1'h0;
-    end
-    if (rst) begin
-      \$44  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$45  = \$signal$9 ;
-    if (soft_reset) begin
-      \$45  = 1'h0;
-    end
-    if (rst) begin
-      \$45  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$46  = \$27 ;
-    if (soft_reset) begin
-      \$46  = 1'h0;
-    end
-    if (rst) begin
-      \$46  = 1'h0;
+    { \$64 [303:285], \$64 [246:209], \$64 [170:133], \$64 [94:57], \$64 [18:0] } = { \heads$75 [303:285], \heads$75 [246:209], \heads$75 [170:133], \heads$75 [94:57], \heads$75 [18:0] };
+    if (info_now[13]) begin
+      \$64 [18:0] = \$38 ;
+      if (\$39 ) begin
+        \$64 [75:57] = \heads$75 [18:0];
+      end
+      begin
+          \$64 [94:76] = \$40 ;
+      end
+      if (\$41 ) begin
+        \$64 [151:133] = \heads$75 [94:76];
+      end
+      begin
+          \$64 [170:152] = \$42 ;
+      end
+      if (\$43 ) begin
+        \$64 [227:209] = \heads$75 [170:152];
+      end
+      begin
+          \$64 [246:228] = \$44 ;
+      end
+      if (\$45 ) begin
+        \$64 [303:285] = \heads$75 [246:228];
+      end
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$47  = \$signal$65 ;
+    \$65  = info_now[9];
     if (soft_reset) begin
-      \$47  = 1'h0;
+      \$65  = 1'h0;
     end
     if (rst) begin
-      \$47  = 1'h0;
+      \$65  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$48  = \$signal$66 ;
+    \$66  = \$signal$11 ;
     if (soft_reset) begin
-      \$48  = 1'h0;
+      \$66  = 1'h0;
     end
     if (rst) begin
-      \$48  = 1'h0;
+      \$66  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$49  = \$signal$71 ;
+    \$67  = \$47 ;
     if (soft_reset) begin
-      \$49  = 1'h0;
+      \$67  = 1'h0;
     end
     if (rst) begin
-      \$49  = 1'h0;
+      \$67  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$50  = \$signal$72 ;
+    \$68  = \$signal$79 ;
     if (soft_reset) begin
-      \$50  = 1'h0;
+      \$68  = 1'h0;
     end
     if (rst) begin
-      \$50  = 1'h0;
+      \$68  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$51  = \$signal$77 ;
+    \$69  = \$signal$80 ;
     if (soft_reset) begin
-      \$51  = 1'h0;
+      \$69  = 1'h0;
     end
     if (rst) begin
-      \$51  = 1'h0;
+      \$69  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$52  = \$signal$78 ;
+    \$70  = \$signal$88 ;
     if (soft_reset) begin
-      \$52  = 1'h0;
+      \$70  = 1'h0;
     end
     if (rst) begin
-      \$52  = 1'h0;
+      \$70  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$53  = valid;
+    \$71  = \$signal$89 ;
+    if (soft_reset) begin
+      \$71  = 1'h0;
+    end
+    if (rst) begin
+      \$71  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$72  = \$signal$97 ;
+    if (soft_reset) begin
+      \$72  = 1'h0;
+    end
+    if (rst) begin
+      \$72  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$73  = \$signal$98 ;
+    if (soft_reset) begin
+      \$73  = 1'h0;
+    end
+    if (rst) begin
+      \$73  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$74  = valid;
     if (advance) begin
-      \$53  = \$28 ;
+      \$74  = \$48 ;
     end
     if (start) begin
-      \$53  = 1'h0;
+      \$74  = 1'h0;
     end
     if (soft_reset) begin
-      \$53  = 1'h0;
+      \$74  = 1'h0;
     end
     if (rst) begin
-      \$53  = 1'h0;
+      \$74  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$54  = slot_read;
+    \$75  = slot_read;
     if (advance) begin
-      \$54  = \$signal$39 ;
+      \$75  = \$signal$53 ;
     end
     if (soft_reset) begin
-      \$54  = 2'h0;
+      \$75  = 2'h0;
     end
     if (rst) begin
-      \$54  = 2'h0;
+      \$75  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$55  = meta;
+    \$76  = meta;
     if (advance) begin
-      \$55 [1] = word_last;
-      \$55 [2] = \$31 ;
+      \$76 [1] = word_last;
+      \$76 [2] = \$51 ;
     end
     if (soft_reset) begin
-      \$55 [2:1] = 2'h0;
+      \$76 [2:1] = 2'h0;
     end
     if (rst) begin
-      \$55  = 3'h0;
+      \$76  = 3'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$56  = word;
+    \$77  = word;
     if (fetch) begin
       (* full_case = 32'd1 *)
-      if (\$33 ) begin
-        \$56  = 12'h000;
+      if (\$53 ) begin
+        \$77  = 12'h000;
       end else begin
-        \$56  = \$35 [11:0];
+        \$77  = \$55 [11:0];
       end
     end
     if (section_done) begin
-      \$56  = 12'h000;
+      \$77  = 12'h000;
     end
     if (start) begin
-      \$56  = 12'h000;
+      \$77  = 12'h000;
     end
     if (soft_reset) begin
-      \$56  = 12'h000;
+      \$77  = 12'h000;
     end
     if (rst) begin
-      \$56  = 12'h000;
+      \$77  = 12'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$57  = \$signal$39 ;
+    \$78  = \$signal$53 ;
     if (fetch) begin
-      if (\$33 ) begin
-        \$57  = \$34 [1:0];
+      if (\$53 ) begin
+        \$78  = \$54 [1:0];
       end
     end
     if (section_done) begin
-      \$57  = 2'h0;
+      \$78  = 2'h0;
     end
     if (start) begin
-      \$57  = 2'h0;
+      \$78  = 2'h0;
     end
     if (soft_reset) begin
-      \$57  = 2'h0;
+      \$78  = 2'h0;
     end
     if (rst) begin
-      \$57  = 2'h0;
+      \$78  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$58  = \$signal$34 ;
+    \$79  = \$signal$48 ;
     if (section_done) begin
-      \$58  = \$36 [1:0];
+      \$79  = \$56 [1:0];
     end
     if (start) begin
-      \$58  = 2'h0;
+      \$79  = 2'h0;
     end
     if (soft_reset) begin
-      \$58  = 2'h0;
+      \$79  = 2'h0;
     end
     if (rst) begin
-      \$58  = 2'h0;
+      \$79  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$59  = filled;
+    \$80  = filled;
     if (section_done) begin
       (* full_case = 32'd1 *)
-      casez (\$signal$34 )
+      casez (\$signal$48 )
         2'h0:
-            \$59 [0] = 1'h0;
+            \$80 [0] = 1'h0;
         2'h1:
-            \$59 [1] = 1'h0;
+            \$80 [1] = 1'h0;
         2'h2:
-            \$59 [2] = 1'h0;
+            \$80 [2] = 1'h0;
         2'h3:
-            \$59 [3] = 1'h0;
+            \$80 [3] = 1'h0;
       endcase
     end
-    if (\$signal$81 ) begin
+    if (\$signal$104 ) begin
       (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
-            \$59 [0] = 1'h1;
+            \$80 [0] = 1'h1;
         2'h1:
-            \$59 [1] = 1'h1;
+            \$80 [1] = 1'h1;
         2'h2:
-            \$59 [2] = 1'h1;
+            \$80 [2] = 1'h1;
         2'h3:
-            \$59 [3] = 1'h1;
+            \$80 [3] = 1'h1;
       endcase
     end
     if (start) begin
-      \$59  = 4'h0;
+      \$80  = 4'h0;
     end
     if (soft_reset) begin
-      \$59  = 4'h0;
+      \$80  = 4'h0;
     end
     if (rst) begin
-      \$59  = 4'h0;
+      \$80  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$60  = image_last;
-    if (\$signal$81 ) begin
+    \$81  = image_last;
+    if (\$signal$104 ) begin
       (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
-            \$60 [0] = \$signal$83 ;
+            \$81 [0] = \$signal$106 ;
         2'h1:
-            \$60 [1] = \$signal$83 ;
+            \$81 [1] = \$signal$106 ;
         2'h2:
-            \$60 [2] = \$signal$83 ;
+            \$81 [2] = \$signal$106 ;
         2'h3:
-            \$60 [3] = \$signal$83 ;
+            \$81 [3] = \$signal$106 ;
       endcase
     end
     if (soft_reset) begin
-      \$60  = 4'h0;
+      \$81  = 4'h0;
     end
     if (rst) begin
-      \$60  = 4'h0;
+      \$81  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$61  = slots0;
-    if (\$signal$81 ) begin
+    \$82  = slots0;
+    if (\$signal$104 ) begin
       casez (put__addr[7:6])
         2'h0:
-            \$61  = \$signal$82 ;
+            \$82  = \$signal$105 ;
       endcase
     end
     if (soft_reset) begin
-      \$61  = 4'h0;
+      \$82  = 4'h0;
     end
     if (rst) begin
-      \$61  = 4'h0;
+      \$82  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$62  = slots1;
-    if (\$signal$81 ) begin
+    \$83  = slots1;
+    if (\$signal$104 ) begin
       casez (put__addr[7:6])
         2'h0:
             /* empty */;
         2'h1:
-            \$62  = \$signal$82 ;
+            \$83  = \$signal$105 ;
       endcase
     end
     if (soft_reset) begin
-      \$62  = 4'h0;
+      \$83  = 4'h0;
     end
     if (rst) begin
-      \$62  = 4'h0;
+      \$83  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$63  = slots2;
-    if (\$signal$81 ) begin
+    \$84  = slots2;
+    if (\$signal$104 ) begin
       casez (put__addr[7:6])
         2'h0:
             /* empty */;
         2'h1:
             /* empty */;
         2'h2:
-            \$63  = \$signal$82 ;
+            \$84  = \$signal$105 ;
       endcase
     end
     if (soft_reset) begin
-      \$63  = 4'h0;
+      \$84  = 4'h0;
     end
     if (rst) begin
-      \$63  = 4'h0;
+      \$84  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$64  = slots3;
-    if (\$signal$81 ) begin
+    \$85  = slots3;
+    if (\$signal$104 ) begin
       (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
@@ -6678,56 +7259,56 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
         2'h2:
             /* empty */;
         2'h3:
-            \$64  = \$signal$82 ;
+            \$85  = \$signal$105 ;
       endcase
     end
     if (soft_reset) begin
-      \$64  = 4'h0;
+      \$85  = 4'h0;
     end
     if (rst) begin
-      \$64  = 4'h0;
+      \$85  = 4'h0;
     end
   end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    (* full_case = 32'd1 *)
-    casez (\$signal$34 )
-      2'h0:
-          \$10  = slots0;
-      2'h1:
-          \$10  = slots1;
-      2'h2:
-          \$10  = slots2;
-      2'h3:
-          \$10  = slots3;
-    endcase
-  end
+  assign tile = \$19 [3:0];
   assign write = { reload__data, reload__addr };
   assign write_en = reload__en;
-  assign \$signature__addr  = \$8 [7:0];
+  assign \$signature__addr  = \$20 [7:0];
   assign \$signature__data  = parameters;
   assign heads = accumulators;
-  assign \$signal$27  = put__addr;
-  assign put__data = { codes, codes, codes, codes };
-  assign get__addr = { \$signal$34 , word[5:0] };
+  assign \$signal$32  = \$signature__addr$31 ;
+  assign \$signature__data$33  = { codes[47:36], codes[11:0] };
+  assign kept__addr = \$signature__addr$31 ;
+  assign \$signal$43  = put__addr;
+  assign put__data = { pixels, pixels, pixels, pixels };
+  assign get__addr = { \$signal$48 , word[5:0] };
   assign get__en = advance;
   assign o__valid = valid;
-  assign shift = \$signal$9 ;
+  assign credit = \$signal$13 ;
+  assign shift = \$signal$11 ;
   assign \waiting.tile  = waiting[3:0];
   assign \waiting.tile_last  = waiting[4];
   assign \waiting.slots  = waiting[8:5];
   assign \waiting.edge  = waiting[9];
   assign \waiting.image_last  = waiting[10];
+  assign \waiting.triple  = waiting[11];
+  assign \waiting.inner  = waiting[12];
+  assign \waiting.unloaded  = waiting[13];
   assign \info_now.tile  = info_now[3:0];
   assign \info_now.tile_last  = info_now[4];
   assign \info_now.slots  = info_now[8:5];
   assign \info_now.edge  = info_now[9];
   assign \info_now.image_last  = info_now[10];
+  assign \info_now.triple  = info_now[11];
+  assign \info_now.inner  = info_now[12];
+  assign \info_now.unloaded  = info_now[13];
   assign \current.tile  = current[3:0];
   assign \current.tile_last  = current[4];
   assign \current.slots  = current[8:5];
   assign \current.edge  = current[9];
   assign \current.image_last  = current[10];
+  assign \current.triple  = current[11];
+  assign \current.inner  = current[12];
+  assign \current.unloaded  = current[13];
   assign \write.addr  = reload__addr;
   assign \write.data  = reload__data;
   assign \accumulators[0]  = accumulators[75:0];
@@ -6784,10 +7365,11 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   assign \shape.beats_out  = shape[163:148];
   assign \shape.pointwise  = shape[164];
   assign \shape.halved  = shape[165];
-  assign \shape.biased  = shape[166];
-  assign \shape.residual  = shape[167];
-  assign \shape.out_width  = shape[183:168];
-  assign \shape.beats_residual  = shape[199:184];
+  assign \shape.packed  = shape[166];
+  assign \shape.biased  = shape[167];
+  assign \shape.residual  = shape[168];
+  assign \shape.out_width  = shape[184:169];
+  assign \shape.beats_residual  = shape[200:185];
   assign \o__payload.data  = o__payload[47:0];
   assign \o__payload.pixel_last  = o__payload[48];
   assign \o__payload.last  = o__payload[49];
@@ -6799,30 +7381,41 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   assign \info.slots  = info[8:5];
   assign \info.edge  = info[9];
   assign \info.image_last  = info[10];
-  assign \heads$61[0]  = \heads$61 [75:0];
-  assign \heads$61[0][0]  = \heads$61 [18:0];
-  assign \heads$61[0][1]  = \heads$61 [37:19];
-  assign \heads$61[0][2]  = \heads$61 [56:38];
-  assign \heads$61[0][3]  = \heads$61 [75:57];
-  assign \heads$61[1]  = \heads$61 [151:76];
-  assign \heads$61[1][0]  = \heads$61 [94:76];
-  assign \heads$61[1][1]  = \heads$61 [113:95];
-  assign \heads$61[1][2]  = \heads$61 [132:114];
-  assign \heads$61[1][3]  = \heads$61 [151:133];
-  assign \heads$61[2]  = \heads$61 [227:152];
-  assign \heads$61[2][0]  = \heads$61 [170:152];
-  assign \heads$61[2][1]  = \heads$61 [189:171];
-  assign \heads$61[2][2]  = \heads$61 [208:190];
-  assign \heads$61[2][3]  = \heads$61 [227:209];
-  assign \heads$61[3]  = \heads$61 [303:228];
-  assign \heads$61[3][0]  = \heads$61 [246:228];
-  assign \heads$61[3][1]  = \heads$61 [265:247];
-  assign \heads$61[3][2]  = \heads$61 [284:266];
-  assign \heads$61[3][3]  = \heads$61 [303:285];
-  assign \$21  = 1'h1;
-  assign \$22  = \$signal ;
-  assign \$26  = 1'h1;
-  assign \$27  = \$25 ;
+  assign \info.triple  = info[11];
+  assign \info.inner  = info[12];
+  assign \info.unloaded  = info[13];
+  assign \heads$75[0]  = \heads$75 [75:0];
+  assign \heads$75[0][0]  = \heads$75 [18:0];
+  assign \heads$75[0][1]  = \heads$75 [37:19];
+  assign \heads$75[0][2]  = \heads$75 [56:38];
+  assign \heads$75[0][3]  = \heads$75 [75:57];
+  assign \heads$75[1]  = \heads$75 [151:76];
+  assign \heads$75[1][0]  = \heads$75 [94:76];
+  assign \heads$75[1][1]  = \heads$75 [113:95];
+  assign \heads$75[1][2]  = \heads$75 [132:114];
+  assign \heads$75[1][3]  = \heads$75 [151:133];
+  assign \heads$75[2]  = \heads$75 [227:152];
+  assign \heads$75[2][0]  = \heads$75 [170:152];
+  assign \heads$75[2][1]  = \heads$75 [189:171];
+  assign \heads$75[2][2]  = \heads$75 [208:190];
+  assign \heads$75[2][3]  = \heads$75 [227:209];
+  assign \heads$75[3]  = \heads$75 [303:228];
+  assign \heads$75[3][0]  = \heads$75 [246:228];
+  assign \heads$75[3][1]  = \heads$75 [265:247];
+  assign \heads$75[3][2]  = \heads$75 [284:266];
+  assign \heads$75[3][3]  = \heads$75 [303:285];
+  always @*
+    \$64 [56:19] = \heads$75 [56:19];
+  always @*
+    \$64 [132:95] = \heads$75 [132:95];
+  always @*
+    \$64 [208:171] = \heads$75 [208:171];
+  always @*
+    \$64 [284:247] = \heads$75 [284:247];
+  assign \$35  = 1'h1;
+  assign \$36  = \$signal ;
+  assign \$46  = 1'h1;
+  assign \$47  = \$signal$12 ;
 endmodule
 
 module \macram_top.array.drain.requant (rst, \parameters$3 , soft_reset, accumulators, \edge , codes, clk);
@@ -7915,7 +8508,7 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   assign \$2  = { 64'h0000000000000000, buffer[111:64] };
 endmodule
 
-module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1313$0 , beats, open, clk);
+module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1409$0 , beats, open, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$6  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -7970,8 +8563,8 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   wire o__valid;
   output open;
   reg open = 1'h0;
-  input [31:0] \port$1313$0 ;
-  wire [31:0] \port$1313$0 ;
+  input [31:0] \port$1409$0 ;
+  wire [31:0] \port$1409$0 ;
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
@@ -7986,10 +8579,10 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   assign \$1  = \$signal$9  + 1'h1;
   assign \$signal$8  = \$1  == beats;
   assign \$2  = \$signal$12  + 1'h1;
-  assign \$3  = \$2  == \port$1313$0 [31:16];
+  assign \$3  = \$2  == \port$1409$0 [31:16];
   assign \$signal$11  = \$signal$8  & \$3 ;
   assign \$4  = row + 1'h1;
-  assign \$5  = \$4  == \port$1313$0 [15:0];
+  assign \$5  = \$4  == \port$1409$0 [15:0];
   assign \$signal$14  = \$signal$11  & \$5 ;
   assign \$6  = i__payload[64] != \$signal$14 ;
   assign fault = \$signal  & \$6 ;
@@ -8078,13 +8671,13 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
     end
   end
   assign o__payload = i__payload[63:0];
-  assign width = \port$1313$0 [31:16];
-  assign height = \port$1313$0 [15:0];
+  assign width = \port$1409$0 [31:16];
+  assign height = \port$1409$0 [15:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1313$79 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1409$79 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -8137,8 +8730,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1313$79 ;
-  wire [13:0] \port$1313$79 ;
+  input [13:0] \port$1409$79 ;
+  wire [13:0] \port$1409$79 ;
   wire put;
   input rst;
   wire rst;
@@ -8146,7 +8739,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire soft_reset;
   reg [15:0] words_out = 16'h0000;
   wire [15:0] words_per_pixel;
-  assign \$1  = \port$1313$79  - 1'h1;
+  assign \$1  = \port$1409$79  - 1'h1;
   assign \$3  = \$signal$6  ? \$2  : buffer;
   assign \$4  = \$signal  ? 112'h0000000000000000000000000000 : \$3 ;
   assign \$5  = put ? i__payload : 64'h0000000000000000;
@@ -8236,7 +8829,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
       \$27  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1313$79  };
+  assign words_per_pixel = { 2'h0, \port$1409$79  };
   assign \$like  = \$20 [6:0];
   assign o__payload = buffer[47:0];
   assign \$2  = { 48'h000000000000, buffer[111:48] };
@@ -8276,26 +8869,34 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   wire [23:0] \$36 ;
   wire [23:0] \$37 ;
   wire [23:0] \$38 ;
-  wire [23:0] \$39 ;
+  wire \$39 ;
   wire [14:0] \$4 ;
-  wire [23:0] \$40 ;
+  wire \$40 ;
   wire [23:0] \$41 ;
   wire [23:0] \$42 ;
   wire [23:0] \$43 ;
-  wire [23:0] \$44 ;
-  wire [23:0] \$45 ;
-  reg \$46 ;
-  reg [13:0] \$47 ;
-  reg [15:0] \$48 ;
-  reg [8:0] \$49 ;
+  wire \$44 ;
+  wire \$45 ;
+  wire [23:0] \$46 ;
+  wire [23:0] \$47 ;
+  wire [23:0] \$48 ;
+  wire [23:0] \$49 ;
   wire \$5 ;
-  reg [15:0] \$50 ;
-  reg \$51 ;
-  reg [10:0] \$52 ;
-  reg \$53 ;
-  reg [3:0] \$54 ;
-  reg [95:0] \$55 ;
+  wire [23:0] \$50 ;
+  wire [23:0] \$51 ;
+  reg \$52 ;
+  reg [13:0] \$53 ;
+  reg [15:0] \$54 ;
+  reg [8:0] \$55 ;
+  reg [15:0] \$56 ;
+  reg \$57 ;
+  reg [10:0] \$58 ;
+  reg \$59 ;
   wire [16:0] \$6 ;
+  reg [3:0] \$60 ;
+  reg \$61 ;
+  reg \$62 ;
+  reg [95:0] \$63 ;
   wire \$7 ;
   wire \$8 ;
   wire \$9 ;
@@ -8305,6 +8906,7 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   wire \$signal$11 ;
   wire \$signal$12 ;
   reg [15:0] \$signal$2  = 16'h0000;
+  reg \$signal$36  = 1'h0;
   wire \$signal$7 ;
   wire \$signal$9 ;
   input clk;
@@ -8321,13 +8923,16 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   wire i__valid;
   output image_written;
   reg image_written = 1'h1;
+  reg inner = 1'h0;
   reg [3:0] mask = 4'h0;
   wire [13:0] odd_words;
   reg [95:0] picked;
-  input [14:0] read;
-  wire [14:0] read;
+  input [16:0] read;
+  wire [16:0] read;
   wire [7:0] \read.address ;
+  wire \read.apart ;
   wire \read.bank ;
+  wire \read.inner ;
   wire [3:0] \read.mask ;
   wire [1:0] \read.slot ;
   wire [9:0] read__addr;
@@ -8341,8 +8946,8 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
-  input [199:0] shape;
-  wire [199:0] shape;
+  input [200:0] shape;
+  wire [200:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
   wire [15:0] \shape.beats_residual ;
@@ -8356,6 +8961,7 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   wire [15:0] \shape.out_height ;
   wire [15:0] \shape.out_width ;
   wire [11:0] \shape.output_words ;
+  wire \shape.packed ;
   wire \shape.pointwise ;
   wire \shape.residual ;
   wire [1:0] \shape.tail ;
@@ -8373,36 +8979,54 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   wire [95:0] \write__data$22 ;
   wire [3:0] write__en;
   wire [3:0] \write__en$23 ;
-  assign \$36  = \$34  ^ \$35 ;
-  assign \$37  = mask[1] ? picked[47:24] : 24'h000000;
-  assign \$38  = shape[166] ? 24'h924924 : 24'h000000;
-  assign \$39  = \$37  ^ \$38 ;
-  assign \$40  = mask[2] ? picked[71:48] : 24'h000000;
-  assign \$41  = shape[166] ? 24'h924924 : 24'h000000;
-  assign \$42  = \$40  ^ \$41 ;
-  assign \$43  = mask[3] ? picked[95:72] : 24'h000000;
-  assign \$44  = shape[166] ? 24'h924924 : 24'h000000;
-  assign \$45  = \$43  ^ \$44 ;
+  assign \$28  = free - \$signal$12 ;
+  assign \$29  = $signed(\$28 ) + $signed({ 1'h0, retire });
+  assign \$30  = retire_row ? shape[62:48] : 15'h0000;
+  assign \$31  = $signed(\$29 ) + $signed({ 1'h0, \$30  });
+  assign \$32  = shape[164] ? 3'h4 : 3'h3;
+  assign \$33  = \$32  * shape[62:48];
+  assign \$34  = inner ? picked[47:24] : picked[23:0];
+  assign \$35  = mask[0] ? \$34  : 24'h000000;
+  assign \$36  = shape[167] ? 24'h924924 : 24'h000000;
+  assign \$37  = \$35  ^ \$36 ;
+  assign \$38  = mask[1] ? picked[47:24] : 24'h000000;
+  assign \$39  = ~ \$signal$36 ;
+  assign \$40  = shape[167] & \$39 ;
+  assign \$41  = \$40  ? 24'h924924 : 24'h000000;
+  assign \$42  = \$38  ^ \$41 ;
+  assign \$43  = mask[2] ? picked[71:48] : 24'h000000;
+  assign \$44  = ~ \$signal$36 ;
+  assign \$45  = shape[167] & \$44 ;
+  assign \$46  = \$45  ? 24'h924924 : 24'h000000;
+  assign \$47  = \$43  ^ \$46 ;
+  assign \$48  = inner ? picked[71:48] : picked[95:72];
+  assign \$49  = mask[3] ? \$48  : 24'h000000;
+  assign \$50  = shape[167] ? 24'h924924 : 24'h000000;
+  assign \$51  = \$49  ^ \$50 ;
   always @(posedge clk)
-    group_written <= \$46 ;
+    group_written <= \$52 ;
   always @(posedge clk)
-    \$signal$10  <= \$47 ;
+    \$signal$10  <= \$53 ;
   always @(posedge clk)
-    \$signal$2  <= \$48 ;
+    \$signal$2  <= \$54 ;
   always @(posedge clk)
-    group_base <= \$49 ;
+    group_base <= \$55 ;
   always @(posedge clk)
-    row <= \$50 ;
+    row <= \$56 ;
   always @(posedge clk)
-    image_written <= \$51 ;
+    image_written <= \$57 ;
   always @(posedge clk)
-    free <= \$52 ;
+    free <= \$58 ;
   always @(posedge clk)
-    \$like  <= \$53 ;
+    \$like  <= \$59 ;
   always @(posedge clk)
-    mask <= \$54 ;
+    mask <= \$60 ;
   always @(posedge clk)
-    word <= \$55 ;
+    \$signal$36  <= \$61 ;
+  always @(posedge clk)
+    inner <= \$62 ;
+  always @(posedge clk)
+    word <= \$63 ;
   assign \$signal  = shape[165] ? \$signal$2 [2:1] : \$signal$2 [1:0];
   assign \$1  = shape[165] & \$signal$2 [0];
   assign odd_words = \$1  ? shape[92:79] : 14'h0000;
@@ -8439,14 +9063,6 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   assign \$25  = row + 1'h1;
   assign \$26  = row + 1'h1;
   assign \$27  = \$26  == shape[15:0];
-  assign \$28  = free - \$signal$12 ;
-  assign \$29  = $signed(\$28 ) + $signed({ 1'h0, retire });
-  assign \$30  = retire_row ? shape[62:48] : 15'h0000;
-  assign \$31  = $signed(\$29 ) + $signed({ 1'h0, \$30  });
-  assign \$32  = shape[164] ? 3'h4 : 3'h3;
-  assign \$33  = \$32  * shape[62:48];
-  assign \$34  = mask[0] ? picked[23:0] : 24'h000000;
-  assign \$35  = shape[166] ? 24'h924924 : 24'h000000;
   macram_ram #(
     .ADDR_BITS(32'd10),
     .DEPTH(32'd1024),
@@ -8489,143 +9105,163 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$46  = \$signal$12 ;
+    \$52  = \$signal$12 ;
     if (start) begin
-      \$46  = 1'h0;
+      \$52  = 1'h0;
     end
     if (soft_reset) begin
-      \$46  = 1'h0;
+      \$52  = 1'h0;
     end
     if (rst) begin
-      \$46  = 1'h0;
+      \$52  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$47  = \$signal$10 ;
+    \$53  = \$signal$10 ;
     if (\$signal$7 ) begin
-      \$47  = \$20 [13:0];
+      \$53  = \$20 [13:0];
     end
     if (start) begin
-      \$47  = 14'h0000;
+      \$53  = 14'h0000;
     end
     if (soft_reset) begin
-      \$47  = 14'h0000;
+      \$53  = 14'h0000;
     end
     if (rst) begin
-      \$47  = 14'h0000;
+      \$53  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$48  = \$signal$2 ;
+    \$54  = \$signal$2 ;
     if (\$signal$9 ) begin
-      \$48  = \$22 [15:0];
+      \$54  = \$22 [15:0];
     end
     if (start) begin
-      \$48  = 16'h0000;
+      \$54  = 16'h0000;
     end
     if (soft_reset) begin
-      \$48  = 16'h0000;
+      \$54  = 16'h0000;
     end
     if (rst) begin
-      \$48  = 16'h0000;
+      \$54  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$49  = group_base;
+    \$55  = group_base;
     if (\$signal$12 ) begin
-      \$49  = \$24 [8:0];
+      \$55  = \$24 [8:0];
     end
     if (start) begin
-      \$49  = 9'h000;
+      \$55  = 9'h000;
     end
     if (soft_reset) begin
-      \$49  = 9'h000;
+      \$55  = 9'h000;
     end
     if (rst) begin
-      \$49  = 9'h000;
+      \$55  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$50  = row;
+    \$56  = row;
     if (\$signal$11 ) begin
-      \$50  = \$25 [15:0];
+      \$56  = \$25 [15:0];
     end
     if (start) begin
-      \$50  = 16'h0000;
+      \$56  = 16'h0000;
     end
     if (soft_reset) begin
-      \$50  = 16'h0000;
+      \$56  = 16'h0000;
     end
     if (rst) begin
-      \$50  = 16'h0000;
+      \$56  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$51  = image_written;
+    \$57  = image_written;
     if (\$signal$11 ) begin
       if (\$27 ) begin
-        \$51  = 1'h1;
+        \$57  = 1'h1;
       end
     end
     if (start) begin
-      \$51  = 1'h0;
+      \$57  = 1'h0;
     end
     if (soft_reset) begin
-      \$51  = 1'h1;
+      \$57  = 1'h1;
     end
     if (rst) begin
-      \$51  = 1'h1;
+      \$57  = 1'h1;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$52  = \$31 [10:0];
+    \$58  = \$31 [10:0];
     if (start) begin
-      \$52  = \$33 [10:0];
+      \$58  = \$33 [10:0];
     end
     if (soft_reset) begin
-      \$52  = 11'h000;
+      \$58  = 11'h000;
     end
     if (rst) begin
-      \$52  = 11'h000;
+      \$58  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$53  = read[10];
+    \$59  = read[10];
     if (soft_reset) begin
-      \$53  = 1'h0;
+      \$59  = 1'h0;
     end
     if (rst) begin
-      \$53  = 1'h0;
+      \$59  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$54  = read[14:11];
+    \$60  = read[14:11];
     if (soft_reset) begin
-      \$54  = 4'h0;
+      \$60  = 4'h0;
     end
     if (rst) begin
-      \$54  = 4'h0;
+      \$60  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
-    \$55 [23:0] = \$36 ;
-    \$55 [47:24] = \$39 ;
-    \$55 [71:48] = \$42 ;
-    \$55 [95:72] = \$45 ;
+    \$61  = read[15];
     if (soft_reset) begin
-      \$55  = 96'h000000000000000000000000;
+      \$61  = 1'h0;
     end
     if (rst) begin
-      \$55  = 96'h000000000000000000000000;
+      \$61  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
+    \$62  = read[16];
+    if (soft_reset) begin
+      \$62  = 1'h0;
+    end
+    if (rst) begin
+      \$62  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$8 ) begin end
+    \$63 [23:0] = \$37 ;
+    \$63 [47:24] = \$42 ;
+    \$63 [71:48] = \$47 ;
+    \$63 [95:72] = \$51 ;
+    if (soft_reset) begin
+      \$63  = 96'h000000000000000000000000;
+    end
+    if (rst) begin
+      \$63  = 96'h000000000000000000000000;
     end
   end
   assign write__addr = { row[1:0], \$14 [7:0] };
@@ -8648,17 +9284,20 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   assign \shape.beats_out  = shape[163:148];
   assign \shape.pointwise  = shape[164];
   assign \shape.halved  = shape[165];
-  assign \shape.biased  = shape[166];
-  assign \shape.residual  = shape[167];
-  assign \shape.out_width  = shape[183:168];
-  assign \shape.beats_residual  = shape[199:184];
+  assign \shape.packed  = shape[166];
+  assign \shape.biased  = shape[167];
+  assign \shape.residual  = shape[168];
+  assign \shape.out_width  = shape[184:169];
+  assign \shape.beats_residual  = shape[200:185];
   assign \read.slot  = read[1:0];
   assign \read.address  = read[9:2];
   assign \read.bank  = read[10];
   assign \read.mask  = read[14:11];
+  assign \read.apart  = read[15];
+  assign \read.inner  = read[16];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1569$0 , \port$1571$0 , \port$1573$0 , i__ready, to_requant, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1691$0 , \port$1693$0 , \port$1695$0 , i__ready, to_requant, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
@@ -8729,13 +9368,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 10'h000 *)
-  output [9:0] \port$1569$0 ;
-  wire [9:0] \port$1569$0 ;
+  output [9:0] \port$1691$0 ;
+  wire [9:0] \port$1691$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1571$0 ;
-  wire [7:0] \port$1571$0 ;
-  output [671:0] \port$1573$0 ;
-  wire [671:0] \port$1573$0 ;
+  output [7:0] \port$1693$0 ;
+  wire [7:0] \port$1693$0 ;
+  output [671:0] \port$1695$0 ;
+  wire [671:0] \port$1695$0 ;
   wire [679:0] requant;
   wire [7:0] \requant.addr ;
   wire [671:0] \requant.data ;
@@ -8936,9 +9575,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[647:576], \$27  };
   assign requant = { shifter[671:0], \$29  };
-  assign \port$1569$0  = \$27 ;
-  assign \port$1571$0  = \$29 ;
-  assign \port$1573$0  = shifter[671:0];
+  assign \port$1691$0  = \$27 ;
+  assign \port$1693$0  = \$29 ;
+  assign \port$1695$0  = shifter[671:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$27 ;
@@ -8950,81 +9589,113 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign \$15  = { unit, 1'h0 };
 endmodule
 
-module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_reset, weight_base, start, shape, group_written, image_written, retire, retire_row, flushing, \step$45 , clk);
+module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_reset, weight_base, start, shape, group_written, image_written, retire, retire_row, flushing, \step$51 , clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$10  = 0;
-  wire [14:0] \$1 ;
+  wire [12:0] \$1 ;
   wire \$10 ;
-  wire [3:0] \$100 ;
-  wire [3:0] \$101 ;
-  wire [3:0] \$102 ;
-  wire \$103 ;
-  wire \$104 ;
-  wire \$105 ;
-  wire \$106 ;
-  reg \$107 ;
-  reg \$108 ;
-  reg [17:0] \$109 ;
+  wire \$100 ;
+  wire \$101 ;
+  wire [11:0] \$102 ;
+  wire [14:0] \$103 ;
+  wire [1:0] \$104 ;
+  wire [12:0] \$105 ;
+  wire [15:0] \$106 ;
+  wire [15:0] \$107 ;
+  wire \$108 ;
+  wire [16:0] \$109 ;
   wire \$11 ;
-  reg \$110 ;
-  reg [13:0] \$111 ;
-  reg [10:0] \$112 ;
-  reg \$113 ;
-  reg [1:0] \$114 ;
-  reg [11:0] \$115 ;
-  reg [14:0] \$116 ;
-  reg [8:0] \$117 ;
-  reg [15:0] \$118 ;
-  reg \$119 ;
+  wire \$110 ;
+  wire \$111 ;
+  wire \$112 ;
+  wire \$113 ;
+  wire \$114 ;
+  wire \$115 ;
+  wire \$116 ;
+  wire [15:0] \$117 ;
+  wire [15:0] \$118 ;
+  wire \$119 ;
   wire \$12 ;
-  reg \$120 ;
-  reg \$121 ;
-  reg [43:0] \$122 ;
+  wire [13:0] \$120 ;
+  wire [14:0] \$121 ;
+  wire [13:0] \$122 ;
+  wire [15:0] \$123 ;
+  wire [3:0] \$124 ;
+  wire \$125 ;
+  wire \$126 ;
+  wire [3:0] \$127 ;
+  wire [3:0] \$128 ;
+  wire [3:0] \$129 ;
   wire \$13 ;
+  wire [3:0] \$130 ;
+  wire \$131 ;
+  wire \$132 ;
+  wire \$133 ;
+  wire [11:0] \$134 ;
+  wire [13:0] \$135 ;
+  reg \$136 ;
+  reg \$137 ;
+  reg [17:0] \$138 ;
+  reg \$139 ;
   wire \$14 ;
-  wire [12:0] \$15 ;
-  wire [15:0] \$16 ;
-  wire [16:0] \$17 ;
+  reg [13:0] \$140 ;
+  reg [10:0] \$141 ;
+  reg \$142 ;
+  reg [1:0] \$143 ;
+  reg \$144 ;
+  reg \$145 ;
+  reg [11:0] \$146 ;
+  reg [14:0] \$147 ;
+  reg [8:0] \$148 ;
+  reg [15:0] \$149 ;
+  wire \$15 ;
+  reg \$150 ;
+  reg \$151 ;
+  reg [13:0] \$152 ;
+  reg \$153 ;
+  reg [50:0] \$154 ;
+  wire \$16 ;
+  wire \$17 ;
   wire \$18 ;
-  wire \$19 ;
+  wire [12:0] \$19 ;
   wire \$2 ;
   wire \$20 ;
   wire \$21 ;
-  wire \$22 ;
+  wire [12:0] \$22 ;
   wire \$23 ;
-  wire \$24 ;
-  wire \$25 ;
+  wire [15:0] \$24 ;
+  wire [16:0] \$25 ;
   wire \$26 ;
   wire \$27 ;
   wire \$28 ;
   wire \$29 ;
-  wire \$3 ;
+  wire [14:0] \$3 ;
   wire \$30 ;
   wire \$31 ;
-  wire [17:0] \$32 ;
-  wire [18:0] \$33 ;
-  wire [17:0] \$34 ;
-  wire [18:0] \$35 ;
-  wire [18:0] \$36 ;
+  wire \$32 ;
+  wire \$33 ;
+  wire \$34 ;
+  wire \$35 ;
+  wire \$36 ;
   wire \$37 ;
   wire \$38 ;
   wire \$39 ;
   wire \$4 ;
-  wire [16:0] \$40 ;
-  wire [2:0] \$41 ;
-  wire [2:0] \$42 ;
-  wire [18:0] \$43 ;
-  wire \$44 ;
-  wire \$45 ;
-  wire \$46 ;
-  wire \$47 ;
+  wire \$40 ;
+  wire \$41 ;
+  wire \$42 ;
+  wire [17:0] \$43 ;
+  wire [18:0] \$44 ;
+  wire [17:0] \$45 ;
+  wire [18:0] \$46 ;
+  wire [18:0] \$47 ;
   wire \$48 ;
   wire \$49 ;
   wire \$5 ;
-  wire [3:0] \$50 ;
-  wire [4:0] \$51 ;
-  wire [4:0] \$52 ;
-  wire \$53 ;
-  wire \$54 ;
+  wire \$50 ;
+  wire [16:0] \$51 ;
+  wire [2:0] \$52 ;
+  wire [2:0] \$53 ;
+  wire [18:0] \$54 ;
   wire \$55 ;
   wire \$56 ;
   wire \$57 ;
@@ -9032,64 +9703,75 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   wire \$59 ;
   wire \$6 ;
   wire \$60 ;
-  wire \$61 ;
-  wire \$62 ;
-  wire \$63 ;
+  wire [3:0] \$61 ;
+  wire [4:0] \$62 ;
+  wire [4:0] \$63 ;
   wire \$64 ;
   wire \$65 ;
   wire \$66 ;
   wire \$67 ;
-  wire [18:0] \$68 ;
+  wire \$68 ;
   wire \$69 ;
   wire \$7 ;
   wire \$70 ;
   wire \$71 ;
-  wire [19:0] \$72 ;
-  wire [14:0] \$73 ;
-  wire [20:0] \$74 ;
+  wire \$72 ;
+  wire \$73 ;
+  wire \$74 ;
   wire \$75 ;
-  wire [14:0] \$76 ;
-  wire [11:0] \$77 ;
+  wire \$76 ;
+  wire \$77 ;
   wire \$78 ;
   wire \$79 ;
   wire \$8 ;
-  wire [2:0] \$80 ;
-  wire [12:0] \$81 ;
-  wire [15:0] \$82 ;
-  wire [15:0] \$83 ;
+  wire \$80 ;
+  wire \$81 ;
+  wire \$82 ;
+  wire \$83 ;
   wire \$84 ;
-  wire [16:0] \$85 ;
-  wire \$86 ;
+  wire \$85 ;
+  wire [18:0] \$86 ;
   wire \$87 ;
   wire \$88 ;
   wire \$89 ;
   wire \$9 ;
-  wire \$90 ;
-  wire \$91 ;
-  wire [15:0] \$92 ;
-  wire [15:0] \$93 ;
-  wire [13:0] \$94 ;
+  wire [19:0] \$90 ;
+  wire [14:0] \$91 ;
+  wire [20:0] \$92 ;
+  wire \$93 ;
+  wire \$94 ;
   wire [14:0] \$95 ;
-  wire [13:0] \$96 ;
-  wire [15:0] \$97 ;
+  wire [11:0] \$96 ;
+  wire \$97 ;
   wire \$98 ;
-  wire \$99 ;
+  wire [2:0] \$99 ;
   wire \$signal ;
-  wire \$signal$10 ;
+  reg [1:0] \$signal$10  = 2'h0;
   wire \$signal$12 ;
-  wire \$signal$13 ;
-  reg [14:0] \$signal$14  = 15'h0000;
+  reg \$signal$13  = 1'h0;
+  wire \$signal$14 ;
   wire \$signal$15 ;
-  reg [15:0] \$signal$16  = 16'h0000;
-  wire \$signal$4 ;
-  reg \$signal$6  = 1'h0;
-  wire \$signal$7 ;
-  reg [1:0] \$signal$8  = 2'h0;
+  reg [14:0] \$signal$16  = 15'h0000;
+  wire \$signal$17 ;
+  reg [15:0] \$signal$18  = 16'h0000;
+  reg \$signal$25  = 1'h0;
+  wire \$signal$6 ;
+  reg \$signal$8  = 1'h0;
+  wire \$signal$9 ;
   reg [17:0] ahead = 18'h00000;
   reg [13:0] block = 14'h0000;
   output blocked;
   wire blocked;
   reg busy = 1'h0;
+  reg [13:0] carried_info = 14'h0000;
+  wire \carried_info.edge ;
+  wire \carried_info.image_last ;
+  wire \carried_info.inner ;
+  wire [3:0] \carried_info.slots ;
+  wire [3:0] \carried_info.tile ;
+  wire \carried_info.tile_last ;
+  wire \carried_info.triple ;
+  wire \carried_info.unloaded ;
   input clk;
   wire clk;
   input credit;
@@ -9103,6 +9785,15 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   wire group_written;
   input image_written;
   wire image_written;
+  wire [13:0] info;
+  wire \info.edge ;
+  wire \info.image_last ;
+  wire \info.inner ;
+  wire [3:0] \info.slots ;
+  wire [3:0] \info.tile ;
+  wire \info.tile_last ;
+  wire \info.triple ;
+  wire \info.unloaded ;
   output issue;
   wire issue;
   wire kernel_row_last;
@@ -9116,8 +9807,8 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   wire row_exists;
   input rst;
   wire rst;
-  input [199:0] shape;
-  wire [199:0] shape;
+  input [200:0] shape;
+  wire [200:0] shape;
   wire [15:0] \shape.beats_in ;
   wire [15:0] \shape.beats_out ;
   wire [15:0] \shape.beats_residual ;
@@ -9131,13 +9822,14 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   wire [15:0] \shape.out_height ;
   wire [15:0] \shape.out_width ;
   wire [11:0] \shape.output_words ;
+  wire \shape.packed ;
   wire \shape.pointwise ;
   wire \shape.residual ;
   wire [1:0] \shape.tail ;
   wire [11:0] \shape.tiles ;
   wire [15:0] \shape.width ;
   wire skipped;
-  wire [3:0] slots;
+  reg [3:0] slots;
   input soft_reset;
   wire soft_reset;
   wire [17:0] source_row;
@@ -9147,508 +9839,641 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   output starved;
   wire starved;
   wire step;
-  output [43:0] \step$45 ;
-  reg [43:0] \step$45  = 44'h00000000000;
-  wire [7:0] \step$45.control ;
-  wire \step$45.control.edge ;
-  wire \step$45.control.en ;
-  wire \step$45.control.first ;
-  wire \step$45.control.last ;
-  wire [3:0] \step$45.control.tile ;
-  wire [10:0] \step$45.info ;
-  wire \step$45.info.edge ;
-  wire \step$45.info.image_last ;
-  wire [3:0] \step$45.info.slots ;
-  wire [3:0] \step$45.info.tile ;
-  wire \step$45.info.tile_last ;
-  wire [14:0] \step$45.read ;
-  wire [7:0] \step$45.read.address ;
-  wire \step$45.read.bank ;
-  wire [3:0] \step$45.read.mask ;
-  wire [1:0] \step$45.read.slot ;
-  wire [9:0] \step$45.weight ;
+  output [50:0] \step$51 ;
+  reg [50:0] \step$51  = 51'h0000000000000;
+  wire [9:0] \step$51.control ;
+  wire \step$51.control.carried ;
+  wire \step$51.control.edge ;
+  wire \step$51.control.en ;
+  wire \step$51.control.first ;
+  wire \step$51.control.last ;
+  wire [3:0] \step$51.control.tile ;
+  wire \step$51.control.unload ;
+  wire [13:0] \step$51.info ;
+  wire \step$51.info.edge ;
+  wire \step$51.info.image_last ;
+  wire \step$51.info.inner ;
+  wire [3:0] \step$51.info.slots ;
+  wire [3:0] \step$51.info.tile ;
+  wire \step$51.info.tile_last ;
+  wire \step$51.info.triple ;
+  wire \step$51.info.unloaded ;
+  wire [16:0] \step$51.read ;
+  wire [7:0] \step$51.read.address ;
+  wire \step$51.read.apart ;
+  wire \step$51.read.bank ;
+  wire \step$51.read.inner ;
+  wire [3:0] \step$51.read.mask ;
+  wire [1:0] \step$51.read.slot ;
+  wire [9:0] \step$51.weight ;
   wire step_last;
   reg [11:0] tile = 12'h000;
+  wire triple;
+  wire unload;
   reg valid = 1'h0;
   reg [10:0] weight = 11'h000;
   input [9:0] weight_base;
   wire [9:0] weight_base;
-  assign \$1  = block + 1'h1;
-  assign \$2  = \$1  == shape[78:65];
-  assign \$signal  = flushing | \$2 ;
-  assign \$3  = ~ shape[164];
-  assign \$signal$4  = shape[165] & \$3 ;
-  assign \$4  = ~ \$signal$4 ;
-  assign \$5  = \$signal$6  | \$4 ;
-  assign kernel_row_last = \$signal  & \$5 ;
-  assign \$6  = ! \$signal$8 ;
-  assign \$7  = ~ \$signal$6 ;
-  assign \$8  = \$6  & \$7 ;
-  assign \$9  = ! block;
+  assign \$1  = tile + 2'h2;
+  assign \$2  = \$1  < shape[119:108];
+  assign triple = shape[166] & \$2 ;
+  assign \$3  = block + 1'h1;
+  assign \$4  = \$3  == shape[78:65];
+  assign \$signal  = flushing | \$4 ;
+  assign \$5  = ~ shape[164];
+  assign \$signal$6  = shape[165] & \$5 ;
+  assign \$6  = ~ \$signal$6 ;
+  assign \$7  = \$signal$8  | \$6 ;
+  assign kernel_row_last = \$signal  & \$7 ;
+  assign \$8  = ! \$signal$10 ;
+  assign \$9  = ~ \$signal$8 ;
   assign \$10  = \$8  & \$9 ;
-  assign \$signal$7  = flushing | \$10 ;
-  assign \$11  = \$signal$8  == 2'h2;
-  assign \$12  = shape[164] | \$11 ;
-  assign \$13  = kernel_row_last & \$12 ;
-  assign last = flushing | \$13 ;
-  assign \$14  = ! tile;
-  assign \$signal$10  = \$signal$7  & \$14 ;
-  assign \$15  = tile + 1'h1;
-  assign \$signal$12  = \$15  == shape[119:108];
-  assign \$16  = \$signal$14  + 1'h1;
-  assign \$signal$13  = \$16  == shape[62:48];
-  assign \$17  = \$signal$16  + 1'h1;
-  assign \$signal$15  = \$17  == shape[47:32];
-  assign \$18  = ~ \$signal$10 ;
-  assign \$19  = \$18  | image_written;
-  assign \$20  = $signed(ahead) > $signed(1'h0);
-  assign \$21  = \$19  | \$20 ;
-  assign pixels_ready = \$21  | flushing;
-  assign \$22  = ~ pixels_ready;
-  assign starved = busy & \$22 ;
-  assign \$23  = busy & pixels_ready;
-  assign \$24  = \$23  & last;
-  assign \$25  = ~ credits;
-  assign blocked = \$24  & \$25 ;
-  assign \$26  = busy & pixels_ready;
-  assign \$27  = ~ credits;
-  assign \$28  = last & \$27 ;
-  assign \$29  = ~ \$28 ;
-  assign step = \$26  & \$29 ;
-  assign \$30  = ~ flushing;
-  assign issue = step & \$30 ;
-  assign \$31  = issue & last;
-  assign step_last = \$31  & \$signal$12 ;
-  assign \$32  = 2'h2 * \$signal$16 ;
-  assign \$33  = \$32  + 2'h2;
-  assign \$34  = 2'h2 * \$signal$16 ;
-  assign \$35  = \$34  + 2'h3;
-  assign \$36  = shape[164] ? \$33  : \$35 ;
-  assign \$37  = step_last & \$signal$13 ;
-  assign \$38  = \$37  & shape[165];
-  assign \$39  = \$36 [16:0] < shape[15:0];
-  assign skipped = \$38  & \$39 ;
-  assign \$40  = \$signal$16  << shape[165];
-  assign \$41  = \$signal$8  - 1'h1;
-  assign \$42  = shape[164] ? 3'h0 : \$41 ;
-  assign \$43  = $signed({ 1'h0, \$40  }) + $signed(\$42 );
-  assign \$44  = $signed(\$43 [17:0]) >= $signed(1'h0);
-  assign \$45  = $signed(\$43 [17:0]) < $signed({ 1'h0, shape[15:0] });
-  assign \$46  = \$44  & \$45 ;
-  assign \$47  = ~ flushing;
-  assign row_exists = \$46  & \$47 ;
-  assign \$48  = | shape[64:63];
-  assign \$49  = \$signal$13  & \$48 ;
-  assign \$50  = 1'h1 << shape[64:63];
-  assign \$51  = \$50  - 1'h1;
-  assign \$52  = \$49  ? \$51  : 5'h0f;
-  assign \edge  = ! \$signal$14 ;
-  assign \$53  = ! shape[64:63];
-  assign \$54  = | \$signal$16 ;
-  assign \$55  = \$53  & \$54 ;
-  assign \$56  = \edge  ? \$55  : 1'h1;
-  assign \$57  = ~ flushing;
+  assign \$11  = ! block;
+  assign \$12  = \$10  & \$11 ;
+  assign \$signal$9  = flushing | \$12 ;
+  assign \$13  = \$signal$10  == 2'h2;
+  assign \$14  = shape[164] | \$13 ;
+  assign \$15  = kernel_row_last & \$14 ;
+  assign last = flushing | \$15 ;
+  assign \$16  = ! tile;
+  assign \$17  = \$signal$9  & \$16 ;
+  assign \$18  = ~ \$signal$13 ;
+  assign \$signal$12  = \$17  & \$18 ;
+  assign \$19  = tile + 2'h3;
+  assign \$20  = \$19  == shape[119:108];
+  assign \$21  = \$signal$13  & \$20 ;
+  assign \$22  = tile + 1'h1;
+  assign \$23  = \$22  == shape[119:108];
+  assign \$signal$14  = triple ? \$21  : \$23 ;
+  assign \$24  = \$signal$16  + 1'h1;
+  assign \$signal$15  = \$24  == shape[62:48];
+  assign \$25  = \$signal$18  + 1'h1;
+  assign \$signal$17  = \$25  == shape[47:32];
+  assign \$26  = ~ \$signal$12 ;
+  assign \$27  = \$26  | image_written;
+  assign \$28  = $signed(ahead) > $signed(1'h0);
+  assign \$29  = \$27  | \$28 ;
+  assign pixels_ready = \$29  | flushing;
+  assign \$30  = ~ pixels_ready;
+  assign starved = busy & \$30 ;
+  assign unload = \$signal$25  & credits;
+  assign \$31  = busy & pixels_ready;
+  assign \$32  = ~ credits;
+  assign \$33  = last & \$32 ;
+  assign \$34  = \$33  | unload;
+  assign blocked = \$31  & \$34 ;
+  assign \$35  = busy & pixels_ready;
+  assign \$36  = ~ credits;
+  assign \$37  = last & \$36 ;
+  assign \$38  = ~ \$37 ;
+  assign \$39  = \$35  & \$38 ;
+  assign \$40  = ~ unload;
+  assign step = \$39  & \$40 ;
+  assign \$41  = ~ flushing;
+  assign issue = step & \$41 ;
+  assign \$42  = issue & last;
+  assign step_last = \$42  & \$signal$14 ;
+  assign \$43  = 2'h2 * \$signal$18 ;
+  assign \$44  = \$43  + 2'h2;
+  assign \$45  = 2'h2 * \$signal$18 ;
+  assign \$46  = \$45  + 2'h3;
+  assign \$47  = shape[164] ? \$44  : \$46 ;
+  assign \$48  = step_last & \$signal$15 ;
+  assign \$49  = \$48  & shape[165];
+  assign \$50  = \$47 [16:0] < shape[15:0];
+  assign skipped = \$49  & \$50 ;
+  assign \$51  = \$signal$18  << shape[165];
+  assign \$52  = \$signal$10  - 1'h1;
+  assign \$53  = shape[164] ? 3'h0 : \$52 ;
+  assign \$54  = $signed({ 1'h0, \$51  }) + $signed(\$53 );
+  assign \$55  = $signed(\$54 [17:0]) >= $signed(1'h0);
+  assign \$56  = $signed(\$54 [17:0]) < $signed({ 1'h0, shape[15:0] });
+  assign \$57  = \$55  & \$56 ;
   assign \$58  = ~ flushing;
-  assign \$59  = \$58  & \$52 [1];
-  assign \$60  = ~ flushing;
-  assign \$61  = \$60  & \$52 [2];
-  assign \$62  = issue & \$signal$12 ;
-  assign \$63  = ! \$signal$8 ;
-  assign \$64  = \$62  & \$63 ;
-  assign \$65  = \$64  & kernel_row_last;
-  assign \$66  = step_last & \$signal$13 ;
-  assign \$67  = \$66  & shape[165];
-  assign \$68  = $signed(ahead) + $signed({ 1'h0, group_written });
-  assign \$69  = step & \$signal$10 ;
+  assign row_exists = \$57  & \$58 ;
+  assign \$59  = | shape[64:63];
+  assign \$60  = \$signal$15  & \$59 ;
+  assign \$61  = 1'h1 << shape[64:63];
+  assign \$62  = \$61  - 1'h1;
+  assign \$63  = \$60  ? \$62  : 5'h0f;
+  assign \$64  = ! \$signal$16 ;
+  assign \$65  = ~ shape[166];
+  assign \edge  = \$64  & \$65 ;
+  assign \$66  = ! shape[64:63];
+  assign \$67  = | \$signal$18 ;
+  assign \$68  = \$66  & \$67 ;
+  assign \$69  = \edge  ? \$68  : 1'h1;
   assign \$70  = ~ flushing;
-  assign \$71  = \$69  & \$70 ;
-  assign \$72  = $signed(\$68 ) - $signed({ 1'h0, \$71  });
-  assign \$73  = skipped ? shape[62:48] : 15'h0000;
-  assign \$74  = $signed(\$72 ) - $signed({ 1'h0, \$73  });
-  assign \$75  = step & last;
-  assign \$76  = block + 1'h1;
-  assign \$77  = weight + 1'h1;
-  assign \$78  = ~ \$signal$6 ;
-  assign \$79  = \$signal$4  & \$78 ;
-  assign \$80  = \$signal$8  + 1'h1;
-  assign \$81  = tile + 1'h1;
-  assign \$82  = \$signal$14  + 1'h1;
-  assign \$83  = group_base + shape[107:93];
-  assign \$84  = \$signal$13  | flushing;
-  assign \$85  = \$signal$16  + 1'h1;
-  assign \$86  = \$signal$15  | flushing;
-  assign \$87  = ! shape[64:63];
+  assign \$71  = ~ flushing;
+  assign \$72  = \$71  & \$63 [1];
+  assign \$73  = ~ flushing;
+  assign \$74  = \$73  & \$63 [2];
+  assign \$75  = \$signal$17  & \$signal$15 ;
+  assign \$76  = | shape[64:63];
+  assign \$77  = \$76  | shape[166];
+  assign \$78  = \$75  & \$77 ;
+  assign \$79  = flushing | \$78 ;
+  assign \$80  = issue & \$signal$14 ;
+  assign \$81  = ! \$signal$10 ;
+  assign \$82  = \$80  & \$81 ;
+  assign \$83  = \$82  & kernel_row_last;
+  assign \$84  = step_last & \$signal$15 ;
+  assign \$85  = \$84  & shape[165];
+  assign \$86  = $signed(ahead) + $signed({ 1'h0, group_written });
+  assign \$87  = step & \$signal$12 ;
   assign \$88  = ~ flushing;
   assign \$89  = \$87  & \$88 ;
-  assign \$90  = shape[15:0] == 1'h1;
-  assign \$91  = \$90  | shape[164];
-  assign \$92  = - shape[62:48];
-  assign \$93  = \$91  ? 16'h0000 : \$92 ;
-  assign \$94  = \$signal$6  ? shape[92:79] : 14'h0000;
-  assign \$95  = group_base + \$94 ;
-  assign \$97  = \$95  + \$96 ;
-  assign \$98  = \$signal$6  & \$signal$13 ;
-  assign \$99  = \$98  & shape[16];
-  assign \$101  = \$99  ? \$100  : \$52 [3:0];
-  assign \$102  = row_exists ? \$101  : 4'h0;
-  assign \$103  = \$signal$15  & \$signal$13 ;
-  assign \$104  = | shape[64:63];
-  assign \$105  = \$103  & \$104 ;
-  assign \$106  = flushing | \$105 ;
+  assign \$90  = $signed(\$86 ) - $signed({ 1'h0, \$89  });
+  assign \$91  = skipped ? shape[62:48] : 15'h0000;
+  assign \$92  = $signed(\$90 ) - $signed({ 1'h0, \$91  });
+  assign \$93  = step & last;
+  assign \$94  = \$93  | unload;
+  assign \$95  = block + 1'h1;
+  assign \$96  = weight + 1'h1;
+  assign \$97  = ~ \$signal$8 ;
+  assign \$98  = \$signal$6  & \$97 ;
+  assign \$99  = \$signal$10  + 1'h1;
+  assign \$100  = ~ \$signal$13 ;
+  assign \$101  = triple & \$100 ;
+  assign \$102  = weight + 1'h1;
+  assign \$103  = \$102  - shape[78:65];
+  assign \$104  = triple ? 2'h3 : 2'h1;
+  assign \$105  = tile + \$104 ;
+  assign \$106  = \$signal$16  + 1'h1;
+  assign \$107  = group_base + shape[107:93];
+  assign \$108  = \$signal$15  | flushing;
+  assign \$109  = \$signal$18  + 1'h1;
+  assign \$110  = \$signal$17  | flushing;
+  assign \$111  = ! shape[64:63];
+  assign \$112  = shape[166] ? triple : \$111 ;
+  assign \$113  = ~ flushing;
+  assign \$114  = \$112  & \$113 ;
+  assign \$115  = shape[15:0] == 1'h1;
+  assign \$116  = \$115  | shape[164];
+  assign \$117  = - shape[62:48];
+  assign \$118  = \$116  ? 16'h0000 : \$117 ;
+  assign \$119  = step & last;
+  assign \$120  = \$signal$8  ? shape[92:79] : 14'h0000;
+  assign \$121  = group_base + \$120 ;
+  assign \$123  = \$121  + \$122 ;
+  assign \$124  = \$signal$13  ? { \$63 [2], 2'h0, \$63 [1] } : { \$63 [3], 2'h0, \$63 [0] };
+  assign \$125  = \$signal$8  & \$signal$15 ;
+  assign \$126  = \$125  & shape[16];
+  assign \$128  = \$126  ? \$127  : \$63 [3:0];
+  assign \$129  = triple ? \$124  : \$128 ;
+  assign \$130  = row_exists ? \$129  : 4'h0;
+  assign \$131  = ~ shape[166];
+  assign \$132  = \$signal$9  & \$131 ;
+  assign \$133  = unload | \$132 ;
+  assign \$134  = unload ? { 8'h00, carried_info[3:0] } : tile;
+  assign \$135  = unload ? carried_info : info;
   always @(posedge clk)
-    retire <= \$107 ;
+    retire <= \$136 ;
   always @(posedge clk)
-    retire_row <= \$108 ;
+    retire_row <= \$137 ;
   always @(posedge clk)
-    ahead <= \$109 ;
+    ahead <= \$138 ;
   always @(posedge clk)
-    credits <= \$110 ;
+    credits <= \$139 ;
   always @(posedge clk)
-    block <= \$111 ;
+    block <= \$140 ;
   always @(posedge clk)
-    weight <= \$112 ;
+    weight <= \$141 ;
   always @(posedge clk)
-    \$signal$6  <= \$113 ;
+    \$signal$8  <= \$142 ;
   always @(posedge clk)
-    \$signal$8  <= \$114 ;
+    \$signal$10  <= \$143 ;
   always @(posedge clk)
-    tile <= \$115 ;
+    \$signal$25  <= \$144 ;
   always @(posedge clk)
-    \$signal$14  <= \$116 ;
+    \$signal$13  <= \$145 ;
   always @(posedge clk)
-    group_base <= \$117 ;
+    tile <= \$146 ;
   always @(posedge clk)
-    \$signal$16  <= \$118 ;
+    \$signal$16  <= \$147 ;
   always @(posedge clk)
-    flushing <= \$119 ;
+    group_base <= \$148 ;
   always @(posedge clk)
-    busy <= \$120 ;
+    \$signal$18  <= \$149 ;
   always @(posedge clk)
-    valid <= \$121 ;
+    flushing <= \$150 ;
   always @(posedge clk)
-    \step$45  <= \$122 ;
+    busy <= \$151 ;
+  always @(posedge clk)
+    carried_info <= \$152 ;
+  always @(posedge clk)
+    valid <= \$153 ;
+  always @(posedge clk)
+    \step$51  <= \$154 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$107  = \$65 ;
-    if (start) begin
-      \$107  = 1'h0;
-    end
-    if (soft_reset) begin
-      \$107  = 1'h0;
-    end
-    if (rst) begin
-      \$107  = 1'h0;
+    (* full_case = 32'd1 *)
+    if (shape[166]) begin
+      slots = \$63 [3:0];
+    end else begin
+      slots[0] = \$69 ;
+      slots[1] = \$70 ;
+      slots[2] = \$72 ;
+      slots[3] = \$74 ;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$108  = \$67 ;
+    \$136  = \$83 ;
     if (start) begin
-      \$108  = 1'h0;
+      \$136  = 1'h0;
     end
     if (soft_reset) begin
-      \$108  = 1'h0;
+      \$136  = 1'h0;
     end
     if (rst) begin
-      \$108  = 1'h0;
+      \$136  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$109  = \$74 [17:0];
+    \$137  = \$85 ;
     if (start) begin
-      \$109  = { \$93 [15], \$93 [15], \$93  };
+      \$137  = 1'h0;
     end
     if (soft_reset) begin
-      \$109  = 18'h00000;
+      \$137  = 1'h0;
     end
     if (rst) begin
-      \$109  = 18'h00000;
+      \$137  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$110  = credits;
+    \$138  = \$92 [17:0];
+    if (start) begin
+      \$138  = { \$118 [15], \$118 [15], \$118  };
+    end
+    if (soft_reset) begin
+      \$138  = 18'h00000;
+    end
+    if (rst) begin
+      \$138  = 18'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$139  = credits;
     if (credit) begin
-      \$110  = 1'h1;
-    end else if (\$75 ) begin
-      \$110  = 1'h0;
+      \$139  = 1'h1;
+    end else if (\$94 ) begin
+      \$139  = 1'h0;
     end
     if (start) begin
-      \$110  = 1'h1;
+      \$139  = 1'h1;
     end
     if (soft_reset) begin
-      \$110  = 1'h0;
+      \$139  = 1'h0;
     end
     if (rst) begin
-      \$110  = 1'h0;
+      \$139  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$111  = block;
+    \$140  = block;
     if (step) begin
-      \$111  = \$76 [13:0];
+      \$140  = \$95 [13:0];
       if (\$signal ) begin
-        \$111  = 14'h0000;
+        \$140  = 14'h0000;
       end
     end
     if (start) begin
-      \$111  = 14'h0000;
+      \$140  = 14'h0000;
     end
     if (soft_reset) begin
-      \$111  = 14'h0000;
+      \$140  = 14'h0000;
     end
     if (rst) begin
-      \$111  = 14'h0000;
+      \$140  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$112  = weight;
+    \$141  = weight;
     if (step) begin
-      \$112  = \$77 [10:0];
+      \$141  = \$96 [10:0];
       if (last) begin
-        if (\$signal$12 ) begin
-          \$112  = { 1'h0, weight_base };
+        if (\$101 ) begin
+          \$141  = \$103 [10:0];
+        end
+        if (\$signal$14 ) begin
+          \$141  = { 1'h0, weight_base };
         end
       end
     end
     if (start) begin
-      \$112  = { 1'h0, weight_base };
+      \$141  = { 1'h0, weight_base };
     end
     if (soft_reset) begin
-      \$112  = 11'h000;
+      \$141  = 11'h000;
     end
     if (rst) begin
-      \$112  = 11'h000;
+      \$141  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$113  = \$signal$6 ;
+    \$142  = \$signal$8 ;
     if (step) begin
       if (\$signal ) begin
-        \$113  = \$79 ;
+        \$142  = \$98 ;
       end
       if (last) begin
-        \$113  = 1'h0;
+        \$142  = 1'h0;
       end
     end
     if (start) begin
-      \$113  = 1'h0;
+      \$142  = 1'h0;
     end
     if (soft_reset) begin
-      \$113  = 1'h0;
+      \$142  = 1'h0;
     end
     if (rst) begin
-      \$113  = 1'h0;
+      \$142  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$114  = \$signal$8 ;
+    \$143  = \$signal$10 ;
     if (step) begin
       if (kernel_row_last) begin
-        \$114  = \$80 [1:0];
+        \$143  = \$99 [1:0];
       end
       if (last) begin
-        \$114  = 2'h0;
+        \$143  = 2'h0;
       end
     end
     if (start) begin
-      \$114  = 2'h0;
+      \$143  = 2'h0;
     end
     if (soft_reset) begin
-      \$114  = 2'h0;
+      \$143  = 2'h0;
     end
     if (rst) begin
-      \$114  = 2'h0;
+      \$143  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$115  = tile;
+    \$144  = \$signal$25 ;
     if (step) begin
       if (last) begin
-        \$115  = \$81 [11:0];
-        if (\$signal$12 ) begin
-          \$115  = 12'h000;
+        \$144  = triple;
+      end
+    end
+    if (unload) begin
+      \$144  = 1'h0;
+    end
+    if (start) begin
+      \$144  = 1'h0;
+    end
+    if (soft_reset) begin
+      \$144  = 1'h0;
+    end
+    if (rst) begin
+      \$144  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$145  = \$signal$13 ;
+    if (step) begin
+      if (last) begin
+        (* full_case = 32'd1 *)
+        if (\$101 ) begin
+          \$145  = 1'h1;
+        end else begin
+          \$145  = 1'h0;
         end
       end
     end
     if (start) begin
-      \$115  = 12'h000;
+      \$145  = 1'h0;
     end
     if (soft_reset) begin
-      \$115  = 12'h000;
+      \$145  = 1'h0;
     end
     if (rst) begin
-      \$115  = 12'h000;
+      \$145  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$116  = \$signal$14 ;
+    \$146  = tile;
     if (step) begin
       if (last) begin
-        if (\$signal$12 ) begin
-          \$116  = \$82 [14:0];
-          if (\$84 ) begin
-            \$116  = 15'h0000;
+        (* full_case = 32'd1 *)
+        if (\$101 ) begin
+        end else begin
+          \$146  = \$105 [11:0];
+        end
+        if (\$signal$14 ) begin
+          \$146  = 12'h000;
+        end
+      end
+    end
+    if (start) begin
+      \$146  = 12'h000;
+    end
+    if (soft_reset) begin
+      \$146  = 12'h000;
+    end
+    if (rst) begin
+      \$146  = 12'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$147  = \$signal$16 ;
+    if (step) begin
+      if (last) begin
+        if (\$signal$14 ) begin
+          \$147  = \$106 [14:0];
+          if (\$108 ) begin
+            \$147  = 15'h0000;
           end
         end
       end
     end
     if (start) begin
-      \$116  = 15'h0000;
+      \$147  = 15'h0000;
     end
     if (soft_reset) begin
-      \$116  = 15'h0000;
+      \$147  = 15'h0000;
     end
     if (rst) begin
-      \$116  = 15'h0000;
+      \$147  = 15'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$117  = group_base;
+    \$148  = group_base;
     if (step) begin
       if (last) begin
-        if (\$signal$12 ) begin
-          \$117  = \$83 [8:0];
-          if (\$84 ) begin
-            \$117  = 9'h000;
+        if (\$signal$14 ) begin
+          \$148  = \$107 [8:0];
+          if (\$108 ) begin
+            \$148  = 9'h000;
           end
         end
       end
     end
     if (start) begin
-      \$117  = 9'h000;
+      \$148  = 9'h000;
     end
     if (soft_reset) begin
-      \$117  = 9'h000;
+      \$148  = 9'h000;
     end
     if (rst) begin
-      \$117  = 9'h000;
+      \$148  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$118  = \$signal$16 ;
+    \$149  = \$signal$18 ;
     if (step) begin
       if (last) begin
-        if (\$signal$12 ) begin
-          if (\$84 ) begin
-            \$118  = \$85 [15:0];
+        if (\$signal$14 ) begin
+          if (\$108 ) begin
+            \$149  = \$109 [15:0];
           end
         end
       end
     end
     if (start) begin
-      \$118  = 16'h0000;
+      \$149  = 16'h0000;
     end
     if (soft_reset) begin
-      \$118  = 16'h0000;
+      \$149  = 16'h0000;
     end
     if (rst) begin
-      \$118  = 16'h0000;
+      \$149  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$119  = flushing;
+    \$150  = flushing;
     if (step) begin
       if (last) begin
-        if (\$signal$12 ) begin
-          if (\$84 ) begin
-            if (\$86 ) begin
+        if (\$signal$14 ) begin
+          if (\$108 ) begin
+            if (\$110 ) begin
               (* full_case = 32'd1 *)
-              if (\$89 ) begin
-                \$119  = 1'h1;
+              if (\$114 ) begin
+                \$150  = 1'h1;
               end else begin
-                \$119  = 1'h0;
+                \$150  = 1'h0;
               end
             end
           end
         end
       end
     end
+    if (unload) begin
+      if (flushing) begin
+        \$150  = 1'h0;
+      end
+    end
     if (start) begin
-      \$119  = 1'h0;
+      \$150  = 1'h0;
     end
     if (soft_reset) begin
-      \$119  = 1'h0;
+      \$150  = 1'h0;
     end
     if (rst) begin
-      \$119  = 1'h0;
+      \$150  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$120  = busy;
+    \$151  = busy;
     if (step) begin
       if (last) begin
-        if (\$signal$12 ) begin
-          if (\$84 ) begin
-            if (\$86 ) begin
+        if (\$signal$14 ) begin
+          if (\$108 ) begin
+            if (\$110 ) begin
               (* full_case = 32'd1 *)
-              if (\$89 ) begin
+              if (\$114 ) begin
               end else begin
-                \$120  = 1'h0;
+                \$151  = 1'h0;
               end
             end
           end
         end
       end
     end
+    if (unload) begin
+      if (flushing) begin
+        \$151  = 1'h0;
+      end
+    end
     if (start) begin
-      \$120  = 1'h1;
+      \$151  = 1'h1;
     end
     if (soft_reset) begin
-      \$120  = 1'h0;
+      \$151  = 1'h0;
     end
     if (rst) begin
-      \$120  = 1'h0;
+      \$151  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$121  = step;
+    \$152  = carried_info;
+    if (\$119 ) begin
+      \$152 [12:0] = info[12:0];
+      \$152 [13] = 1'h1;
+    end
     if (soft_reset) begin
-      \$121  = 1'h0;
+      \$152  = 14'h0000;
     end
     if (rst) begin
-      \$121  = 1'h0;
+      \$152  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$122 [1:0] = \$43 [1:0];
-    \$122 [9:2] = \$97 [7:0];
-    \$122 [10] = block[0];
-    \$122 [14:11] = \$102 ;
-    \$122 [24:15] = weight[9:0];
-    \$122 [25] = step;
-    \$122 [26] = \$signal$7 ;
-    \$122 [27] = last;
-    \$122 [28] = \edge ;
-    \$122 [32:29] = tile[3:0];
-    \$122 [36:33] = tile[3:0];
-    \$122 [37] = \$signal$12 ;
-    \$122 [41:38] = slots;
-    \$122 [42] = \edge ;
-    \$122 [43] = \$106 ;
+    \$153  = step;
     if (soft_reset) begin
-      \$122  = 44'h00000000000;
+      \$153  = 1'h0;
     end
     if (rst) begin
-      \$122  = 44'h00000000000;
+      \$153  = 1'h0;
     end
   end
-  assign source_row_below = \$36 [16:0];
-  assign source_row = \$43 [17:0];
-  assign pixels = \$52 [3:0];
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$154 [1:0] = \$54 [1:0];
+    \$154 [9:2] = \$123 [7:0];
+    \$154 [10] = block[0];
+    \$154 [14:11] = \$130 ;
+    \$154 [15] = triple;
+    \$154 [16] = \$signal$13 ;
+    \$154 [26:17] = weight[9:0];
+    \$154 [27] = step;
+    \$154 [28] = \$signal$9 ;
+    \$154 [30] = last;
+    \$154 [31] = \edge ;
+    \$154 [29] = \$133 ;
+    \$154 [35:32] = \$134 [3:0];
+    \$154 [36] = unload;
+    \$154 [50:37] = \$135 ;
+    if (soft_reset) begin
+      \$154  = 51'h0000000000000;
+    end
+    if (rst) begin
+      \$154  = 51'h0000000000000;
+    end
+  end
+  assign source_row_below = \$47 [16:0];
+  assign source_row = \$54 [17:0];
+  assign pixels = \$63 [3:0];
   assign \shape.height  = shape[15:0];
   assign \shape.width  = shape[31:16];
   assign \shape.out_height  = shape[47:32];
@@ -9663,34 +10488,62 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   assign \shape.beats_out  = shape[163:148];
   assign \shape.pointwise  = shape[164];
   assign \shape.halved  = shape[165];
-  assign \shape.biased  = shape[166];
-  assign \shape.residual  = shape[167];
-  assign \shape.out_width  = shape[183:168];
-  assign \shape.beats_residual  = shape[199:184];
-  assign \step$45.read  = \step$45 [14:0];
-  assign \step$45.read.slot  = \step$45 [1:0];
-  assign \step$45.read.address  = \step$45 [9:2];
-  assign \step$45.read.bank  = \step$45 [10];
-  assign \step$45.read.mask  = \step$45 [14:11];
-  assign \step$45.weight  = \step$45 [24:15];
-  assign \step$45.control  = \step$45 [32:25];
-  assign \step$45.control.en  = \step$45 [25];
-  assign \step$45.control.first  = \step$45 [26];
-  assign \step$45.control.last  = \step$45 [27];
-  assign \step$45.control.edge  = \step$45 [28];
-  assign \step$45.control.tile  = \step$45 [32:29];
-  assign \step$45.info  = \step$45 [43:33];
-  assign \step$45.info.tile  = \step$45 [36:33];
-  assign \step$45.info.tile_last  = \step$45 [37];
-  assign \step$45.info.slots  = \step$45 [41:38];
-  assign \step$45.info.edge  = \step$45 [42];
-  assign \step$45.info.image_last  = \step$45 [43];
-  assign slots[3] = \$61 ;
-  assign slots[2] = \$59 ;
-  assign slots[1] = \$57 ;
-  assign slots[0] = \$56 ;
-  assign \$96  = { 1'h0, block[13:1] };
-  assign \$100  = { 1'h0, \$52 [3:1] };
+  assign \shape.packed  = shape[166];
+  assign \shape.biased  = shape[167];
+  assign \shape.residual  = shape[168];
+  assign \shape.out_width  = shape[184:169];
+  assign \shape.beats_residual  = shape[200:185];
+  assign \info.tile  = info[3:0];
+  assign \info.tile_last  = info[4];
+  assign \info.slots  = info[8:5];
+  assign \info.edge  = info[9];
+  assign \info.image_last  = info[10];
+  assign \info.triple  = info[11];
+  assign \info.inner  = info[12];
+  assign \info.unloaded  = info[13];
+  assign \carried_info.tile  = carried_info[3:0];
+  assign \carried_info.tile_last  = carried_info[4];
+  assign \carried_info.slots  = carried_info[8:5];
+  assign \carried_info.edge  = carried_info[9];
+  assign \carried_info.image_last  = carried_info[10];
+  assign \carried_info.triple  = carried_info[11];
+  assign \carried_info.inner  = carried_info[12];
+  assign \carried_info.unloaded  = carried_info[13];
+  assign \step$51.read  = \step$51 [16:0];
+  assign \step$51.read.slot  = \step$51 [1:0];
+  assign \step$51.read.address  = \step$51 [9:2];
+  assign \step$51.read.bank  = \step$51 [10];
+  assign \step$51.read.mask  = \step$51 [14:11];
+  assign \step$51.read.apart  = \step$51 [15];
+  assign \step$51.read.inner  = \step$51 [16];
+  assign \step$51.weight  = \step$51 [26:17];
+  assign \step$51.control  = \step$51 [36:27];
+  assign \step$51.control.en  = \step$51 [27];
+  assign \step$51.control.first  = \step$51 [28];
+  assign \step$51.control.carried  = \step$51 [29];
+  assign \step$51.control.last  = \step$51 [30];
+  assign \step$51.control.edge  = \step$51 [31];
+  assign \step$51.control.tile  = \step$51 [35:32];
+  assign \step$51.control.unload  = \step$51 [36];
+  assign \step$51.info  = \step$51 [50:37];
+  assign \step$51.info.tile  = \step$51 [40:37];
+  assign \step$51.info.tile_last  = \step$51 [41];
+  assign \step$51.info.slots  = \step$51 [45:42];
+  assign \step$51.info.edge  = \step$51 [46];
+  assign \step$51.info.image_last  = \step$51 [47];
+  assign \step$51.info.triple  = \step$51 [48];
+  assign \step$51.info.inner  = \step$51 [49];
+  assign \step$51.info.unloaded  = \step$51 [50];
+  assign info[12] = \$signal$13 ;
+  assign info[11] = triple;
+  assign info[10] = \$79 ;
+  assign info[9] = \edge ;
+  assign info[8:5] = slots;
+  assign info[4] = \$signal$14 ;
+  assign info[3:0] = tile[3:0];
+  assign info[13] = 1'h0;
+  assign \$122  = { 1'h0, block[13:1] };
+  assign \$127  = { 1'h0, \$63 [3:1] };
 endmodule
 
 module \macram_top.array.unit000 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
@@ -9712,12 +10565,14 @@ module \macram_top.array.unit000 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -9731,13 +10586,15 @@ module \macram_top.array.unit000 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -9792,14 +10649,18 @@ module \macram_top.array.unit000 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -9837,12 +10698,14 @@ module \macram_top.array.unit001 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -9856,13 +10719,15 @@ module \macram_top.array.unit001 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -9917,14 +10782,18 @@ module \macram_top.array.unit001 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -9962,12 +10831,14 @@ module \macram_top.array.unit002 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -9981,13 +10852,15 @@ module \macram_top.array.unit002 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -10042,14 +10915,18 @@ module \macram_top.array.unit002 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -10087,12 +10964,14 @@ module \macram_top.array.unit003 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -10106,13 +10985,15 @@ module \macram_top.array.unit003 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -10167,14 +11048,18 @@ module \macram_top.array.unit003 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -10212,12 +11097,14 @@ module \macram_top.array.unit004 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -10231,13 +11118,15 @@ module \macram_top.array.unit004 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -10292,14 +11181,18 @@ module \macram_top.array.unit004 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -10337,12 +11230,14 @@ module \macram_top.array.unit005 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -10356,13 +11251,15 @@ module \macram_top.array.unit005 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -10417,14 +11314,18 @@ module \macram_top.array.unit005 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -10462,12 +11363,14 @@ module \macram_top.array.unit006 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -10481,13 +11384,15 @@ module \macram_top.array.unit006 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -10542,14 +11447,18 @@ module \macram_top.array.unit006 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -10587,12 +11496,14 @@ module \macram_top.array.unit007 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -10606,13 +11517,15 @@ module \macram_top.array.unit007 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -10667,14 +11580,18 @@ module \macram_top.array.unit007 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -10712,12 +11629,14 @@ module \macram_top.array.unit008 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -10731,13 +11650,15 @@ module \macram_top.array.unit008 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -10792,14 +11713,18 @@ module \macram_top.array.unit008 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -10837,12 +11762,14 @@ module \macram_top.array.unit009 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -10856,13 +11783,15 @@ module \macram_top.array.unit009 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -10917,14 +11846,18 @@ module \macram_top.array.unit009 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -10962,12 +11895,14 @@ module \macram_top.array.unit010 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -10981,13 +11916,15 @@ module \macram_top.array.unit010 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -11042,14 +11979,18 @@ module \macram_top.array.unit010 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -11087,12 +12028,14 @@ module \macram_top.array.unit011 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -11106,13 +12049,15 @@ module \macram_top.array.unit011 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -11167,14 +12112,18 @@ module \macram_top.array.unit011 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -11212,12 +12161,14 @@ module \macram_top.array.unit012 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -11231,13 +12182,15 @@ module \macram_top.array.unit012 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -11292,14 +12245,18 @@ module \macram_top.array.unit012 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -11337,12 +12294,14 @@ module \macram_top.array.unit013 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -11356,13 +12315,15 @@ module \macram_top.array.unit013 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -11417,14 +12378,18 @@ module \macram_top.array.unit013 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -11462,12 +12427,14 @@ module \macram_top.array.unit014 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -11481,13 +12448,15 @@ module \macram_top.array.unit014 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -11542,14 +12511,18 @@ module \macram_top.array.unit014 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -11587,12 +12560,14 @@ module \macram_top.array.unit015 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -11606,13 +12581,15 @@ module \macram_top.array.unit015 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -11667,14 +12644,18 @@ module \macram_top.array.unit015 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -11712,12 +12693,14 @@ module \macram_top.array.unit016 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -11731,13 +12714,15 @@ module \macram_top.array.unit016 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -11792,14 +12777,18 @@ module \macram_top.array.unit016 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -11837,12 +12826,14 @@ module \macram_top.array.unit017 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -11856,13 +12847,15 @@ module \macram_top.array.unit017 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -11917,14 +12910,18 @@ module \macram_top.array.unit017 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -11962,12 +12959,14 @@ module \macram_top.array.unit018 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -11981,13 +12980,15 @@ module \macram_top.array.unit018 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -12042,14 +13043,18 @@ module \macram_top.array.unit018 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -12087,12 +13092,14 @@ module \macram_top.array.unit019 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -12106,13 +13113,15 @@ module \macram_top.array.unit019 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -12167,14 +13176,18 @@ module \macram_top.array.unit019 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -12212,12 +13225,14 @@ module \macram_top.array.unit020 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -12231,13 +13246,15 @@ module \macram_top.array.unit020 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -12292,14 +13309,18 @@ module \macram_top.array.unit020 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -12337,12 +13358,14 @@ module \macram_top.array.unit021 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -12356,13 +13379,15 @@ module \macram_top.array.unit021 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -12417,14 +13442,18 @@ module \macram_top.array.unit021 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -12462,12 +13491,14 @@ module \macram_top.array.unit022 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -12481,13 +13512,15 @@ module \macram_top.array.unit022 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -12542,14 +13575,18 @@ module \macram_top.array.unit022 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -12587,12 +13624,14 @@ module \macram_top.array.unit023 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -12606,13 +13645,15 @@ module \macram_top.array.unit023 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -12667,14 +13708,18 @@ module \macram_top.array.unit023 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -12712,12 +13757,14 @@ module \macram_top.array.unit024 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -12731,13 +13778,15 @@ module \macram_top.array.unit024 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -12792,14 +13841,18 @@ module \macram_top.array.unit024 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -12837,12 +13890,14 @@ module \macram_top.array.unit025 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -12856,13 +13911,15 @@ module \macram_top.array.unit025 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -12917,14 +13974,18 @@ module \macram_top.array.unit025 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -12962,12 +14023,14 @@ module \macram_top.array.unit026 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -12981,13 +14044,15 @@ module \macram_top.array.unit026 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -13042,14 +14107,18 @@ module \macram_top.array.unit026 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -13087,12 +14156,14 @@ module \macram_top.array.unit027 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -13106,13 +14177,15 @@ module \macram_top.array.unit027 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -13167,14 +14240,18 @@ module \macram_top.array.unit027 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -13212,12 +14289,14 @@ module \macram_top.array.unit028 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -13231,13 +14310,15 @@ module \macram_top.array.unit028 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -13292,14 +14373,18 @@ module \macram_top.array.unit028 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -13337,12 +14422,14 @@ module \macram_top.array.unit029 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -13356,13 +14443,15 @@ module \macram_top.array.unit029 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -13417,14 +14506,18 @@ module \macram_top.array.unit029 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -13462,12 +14555,14 @@ module \macram_top.array.unit030 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -13481,13 +14576,15 @@ module \macram_top.array.unit030 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -13542,14 +14639,18 @@ module \macram_top.array.unit030 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -13587,12 +14688,14 @@ module \macram_top.array.unit031 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -13606,13 +14709,15 @@ module \macram_top.array.unit031 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -13667,14 +14772,18 @@ module \macram_top.array.unit031 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -13712,12 +14821,14 @@ module \macram_top.array.unit032 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -13731,13 +14842,15 @@ module \macram_top.array.unit032 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -13792,14 +14905,18 @@ module \macram_top.array.unit032 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -13837,12 +14954,14 @@ module \macram_top.array.unit033 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -13856,13 +14975,15 @@ module \macram_top.array.unit033 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -13917,14 +15038,18 @@ module \macram_top.array.unit033 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -13962,12 +15087,14 @@ module \macram_top.array.unit034 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -13981,13 +15108,15 @@ module \macram_top.array.unit034 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -14042,14 +15171,18 @@ module \macram_top.array.unit034 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -14087,12 +15220,14 @@ module \macram_top.array.unit035 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -14106,13 +15241,15 @@ module \macram_top.array.unit035 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -14167,14 +15304,18 @@ module \macram_top.array.unit035 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -14212,12 +15353,14 @@ module \macram_top.array.unit036 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -14231,13 +15374,15 @@ module \macram_top.array.unit036 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -14292,14 +15437,18 @@ module \macram_top.array.unit036 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -14337,12 +15486,14 @@ module \macram_top.array.unit037 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -14356,13 +15507,15 @@ module \macram_top.array.unit037 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -14417,14 +15570,18 @@ module \macram_top.array.unit037 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -14462,12 +15619,14 @@ module \macram_top.array.unit038 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -14481,13 +15640,15 @@ module \macram_top.array.unit038 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -14542,14 +15703,18 @@ module \macram_top.array.unit038 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -14587,12 +15752,14 @@ module \macram_top.array.unit039 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -14606,13 +15773,15 @@ module \macram_top.array.unit039 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -14667,14 +15836,18 @@ module \macram_top.array.unit039 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -14712,12 +15885,14 @@ module \macram_top.array.unit040 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -14731,13 +15906,15 @@ module \macram_top.array.unit040 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -14792,14 +15969,18 @@ module \macram_top.array.unit040 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -14837,12 +16018,14 @@ module \macram_top.array.unit041 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -14856,13 +16039,15 @@ module \macram_top.array.unit041 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -14917,14 +16102,18 @@ module \macram_top.array.unit041 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -14962,12 +16151,14 @@ module \macram_top.array.unit042 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -14981,13 +16172,15 @@ module \macram_top.array.unit042 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -15042,14 +16235,18 @@ module \macram_top.array.unit042 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -15087,12 +16284,14 @@ module \macram_top.array.unit043 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -15106,13 +16305,15 @@ module \macram_top.array.unit043 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -15167,14 +16368,18 @@ module \macram_top.array.unit043 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -15212,12 +16417,14 @@ module \macram_top.array.unit044 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -15231,13 +16438,15 @@ module \macram_top.array.unit044 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -15292,14 +16501,18 @@ module \macram_top.array.unit044 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -15337,12 +16550,14 @@ module \macram_top.array.unit045 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -15356,13 +16571,15 @@ module \macram_top.array.unit045 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -15417,14 +16634,18 @@ module \macram_top.array.unit045 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -15462,12 +16683,14 @@ module \macram_top.array.unit046 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -15481,13 +16704,15 @@ module \macram_top.array.unit046 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -15542,14 +16767,18 @@ module \macram_top.array.unit046 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -15587,12 +16816,14 @@ module \macram_top.array.unit047 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -15606,13 +16837,15 @@ module \macram_top.array.unit047 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -15667,14 +16900,18 @@ module \macram_top.array.unit047 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -15712,12 +16949,14 @@ module \macram_top.array.unit048 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -15731,13 +16970,15 @@ module \macram_top.array.unit048 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -15792,14 +17033,18 @@ module \macram_top.array.unit048 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -15837,12 +17082,14 @@ module \macram_top.array.unit049 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -15856,13 +17103,15 @@ module \macram_top.array.unit049 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -15917,14 +17166,18 @@ module \macram_top.array.unit049 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -15962,12 +17215,14 @@ module \macram_top.array.unit050 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -15981,13 +17236,15 @@ module \macram_top.array.unit050 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -16042,14 +17299,18 @@ module \macram_top.array.unit050 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -16087,12 +17348,14 @@ module \macram_top.array.unit051 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -16106,13 +17369,15 @@ module \macram_top.array.unit051 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -16167,14 +17432,18 @@ module \macram_top.array.unit051 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -16212,12 +17481,14 @@ module \macram_top.array.unit052 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -16231,13 +17502,15 @@ module \macram_top.array.unit052 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -16292,14 +17565,18 @@ module \macram_top.array.unit052 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -16337,12 +17614,14 @@ module \macram_top.array.unit053 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -16356,13 +17635,15 @@ module \macram_top.array.unit053 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -16417,14 +17698,18 @@ module \macram_top.array.unit053 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -16462,12 +17747,14 @@ module \macram_top.array.unit054 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -16481,13 +17768,15 @@ module \macram_top.array.unit054 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -16542,14 +17831,18 @@ module \macram_top.array.unit054 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -16587,12 +17880,14 @@ module \macram_top.array.unit055 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -16606,13 +17901,15 @@ module \macram_top.array.unit055 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -16667,14 +17964,18 @@ module \macram_top.array.unit055 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -16712,12 +18013,14 @@ module \macram_top.array.unit056 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -16731,13 +18034,15 @@ module \macram_top.array.unit056 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -16792,14 +18097,18 @@ module \macram_top.array.unit056 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -16837,12 +18146,14 @@ module \macram_top.array.unit057 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -16856,13 +18167,15 @@ module \macram_top.array.unit057 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -16917,14 +18230,18 @@ module \macram_top.array.unit057 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -16962,12 +18279,14 @@ module \macram_top.array.unit058 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -16981,13 +18300,15 @@ module \macram_top.array.unit058 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -17042,14 +18363,18 @@ module \macram_top.array.unit058 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -17087,12 +18412,14 @@ module \macram_top.array.unit059 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
   input [75:0] core__chain_i;
@@ -17106,13 +18433,15 @@ module \macram_top.array.unit059 (rst, core__shift, chain_o, core__chain_i, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -17167,14 +18496,18 @@ module \macram_top.array.unit059 (rst, core__shift, chain_o, core__chain_i, core
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
   assign \core__chain_i[0]  = core__chain_i[18:0];
   assign \core__chain_i[1]  = core__chain_i[37:19];
   assign \core__chain_i[2]  = core__chain_i[56:38];
@@ -17193,7 +18526,7 @@ module \macram_top.array.unit059 (rst, core__shift, chain_o, core__chain_i, core
   assign \core__chain_o[3]  = chain_o[75:57];
 endmodule
 
-module \macram_top.array.unit060 (rst, core__shift, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
+module \macram_top.array.unit060 (rst, core__shift, core__chain_i, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
   wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
@@ -17212,14 +18545,17 @@ module \macram_top.array.unit060 (rst, core__shift, chain_o, core__control, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
+  input [75:0] core__chain_i;
   wire [75:0] core__chain_i;
   wire [18:0] \core__chain_i[0] ;
   wire [18:0] \core__chain_i[1] ;
@@ -17230,13 +18566,15 @@ module \macram_top.array.unit060 (rst, core__shift, chain_o, core__control, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -17255,7 +18593,7 @@ module \macram_top.array.unit060 (rst, core__shift, chain_o, core__control, core
   wire write_en;
   macram_unit core (
     .activations(core__activations),
-    .chain_i(76'h0000000000000000000),
+    .chain_i(core__chain_i),
     .chain_o(chain_o),
     .clk(clk),
     .control(core__control),
@@ -17285,29 +18623,32 @@ module \macram_top.array.unit060 (rst, core__shift, chain_o, core__control, core
   assign activations = core__activations;
   assign control = core__control;
   assign shift = core__shift;
-  assign core__chain_i = 76'h0000000000000000000;
-  assign chain_i = 76'h0000000000000000000;
+  assign chain_i = core__chain_i;
   assign core__chain_o = chain_o;
   assign \write.addr  = write__addr;
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
-  assign \core__chain_i[0]  = 19'h00000;
-  assign \core__chain_i[1]  = 19'h00000;
-  assign \core__chain_i[2]  = 19'h00000;
-  assign \core__chain_i[3]  = 19'h00000;
-  assign \chain_i[0]  = 19'h00000;
-  assign \chain_i[1]  = 19'h00000;
-  assign \chain_i[2]  = 19'h00000;
-  assign \chain_i[3]  = 19'h00000;
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
+  assign \core__chain_i[0]  = core__chain_i[18:0];
+  assign \core__chain_i[1]  = core__chain_i[37:19];
+  assign \core__chain_i[2]  = core__chain_i[56:38];
+  assign \core__chain_i[3]  = core__chain_i[75:57];
+  assign \chain_i[0]  = core__chain_i[18:0];
+  assign \chain_i[1]  = core__chain_i[37:19];
+  assign \chain_i[2]  = core__chain_i[56:38];
+  assign \chain_i[3]  = core__chain_i[75:57];
   assign \chain_o[0]  = chain_o[18:0];
   assign \chain_o[1]  = chain_o[37:19];
   assign \chain_o[2]  = chain_o[56:38];
@@ -17318,7 +18659,7 @@ module \macram_top.array.unit060 (rst, core__shift, chain_o, core__control, core
   assign \core__chain_o[3]  = chain_o[75:57];
 endmodule
 
-module \macram_top.array.unit061 (rst, core__shift, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
+module \macram_top.array.unit061 (rst, core__shift, core__chain_i, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
   wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
@@ -17337,14 +18678,17 @@ module \macram_top.array.unit061 (rst, core__shift, chain_o, core__control, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
+  input [75:0] core__chain_i;
   wire [75:0] core__chain_i;
   wire [18:0] \core__chain_i[0] ;
   wire [18:0] \core__chain_i[1] ;
@@ -17355,13 +18699,15 @@ module \macram_top.array.unit061 (rst, core__shift, chain_o, core__control, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -17380,7 +18726,7 @@ module \macram_top.array.unit061 (rst, core__shift, chain_o, core__control, core
   wire write_en;
   macram_unit core (
     .activations(core__activations),
-    .chain_i(76'h0000000000000000000),
+    .chain_i(core__chain_i),
     .chain_o(chain_o),
     .clk(clk),
     .control(core__control),
@@ -17410,29 +18756,32 @@ module \macram_top.array.unit061 (rst, core__shift, chain_o, core__control, core
   assign activations = core__activations;
   assign control = core__control;
   assign shift = core__shift;
-  assign core__chain_i = 76'h0000000000000000000;
-  assign chain_i = 76'h0000000000000000000;
+  assign chain_i = core__chain_i;
   assign core__chain_o = chain_o;
   assign \write.addr  = write__addr;
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
-  assign \core__chain_i[0]  = 19'h00000;
-  assign \core__chain_i[1]  = 19'h00000;
-  assign \core__chain_i[2]  = 19'h00000;
-  assign \core__chain_i[3]  = 19'h00000;
-  assign \chain_i[0]  = 19'h00000;
-  assign \chain_i[1]  = 19'h00000;
-  assign \chain_i[2]  = 19'h00000;
-  assign \chain_i[3]  = 19'h00000;
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
+  assign \core__chain_i[0]  = core__chain_i[18:0];
+  assign \core__chain_i[1]  = core__chain_i[37:19];
+  assign \core__chain_i[2]  = core__chain_i[56:38];
+  assign \core__chain_i[3]  = core__chain_i[75:57];
+  assign \chain_i[0]  = core__chain_i[18:0];
+  assign \chain_i[1]  = core__chain_i[37:19];
+  assign \chain_i[2]  = core__chain_i[56:38];
+  assign \chain_i[3]  = core__chain_i[75:57];
   assign \chain_o[0]  = chain_o[18:0];
   assign \chain_o[1]  = chain_o[37:19];
   assign \chain_o[2]  = chain_o[56:38];
@@ -17443,7 +18792,7 @@ module \macram_top.array.unit061 (rst, core__shift, chain_o, core__control, core
   assign \core__chain_o[3]  = chain_o[75:57];
 endmodule
 
-module \macram_top.array.unit062 (rst, core__shift, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
+module \macram_top.array.unit062 (rst, core__shift, core__chain_i, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
   wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
@@ -17462,14 +18811,17 @@ module \macram_top.array.unit062 (rst, core__shift, chain_o, core__control, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
+  input [75:0] core__chain_i;
   wire [75:0] core__chain_i;
   wire [18:0] \core__chain_i[0] ;
   wire [18:0] \core__chain_i[1] ;
@@ -17480,13 +18832,15 @@ module \macram_top.array.unit062 (rst, core__shift, chain_o, core__control, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -17505,7 +18859,7 @@ module \macram_top.array.unit062 (rst, core__shift, chain_o, core__control, core
   wire write_en;
   macram_unit core (
     .activations(core__activations),
-    .chain_i(76'h0000000000000000000),
+    .chain_i(core__chain_i),
     .chain_o(chain_o),
     .clk(clk),
     .control(core__control),
@@ -17535,29 +18889,32 @@ module \macram_top.array.unit062 (rst, core__shift, chain_o, core__control, core
   assign activations = core__activations;
   assign control = core__control;
   assign shift = core__shift;
-  assign core__chain_i = 76'h0000000000000000000;
-  assign chain_i = 76'h0000000000000000000;
+  assign chain_i = core__chain_i;
   assign core__chain_o = chain_o;
   assign \write.addr  = write__addr;
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
-  assign \core__chain_i[0]  = 19'h00000;
-  assign \core__chain_i[1]  = 19'h00000;
-  assign \core__chain_i[2]  = 19'h00000;
-  assign \core__chain_i[3]  = 19'h00000;
-  assign \chain_i[0]  = 19'h00000;
-  assign \chain_i[1]  = 19'h00000;
-  assign \chain_i[2]  = 19'h00000;
-  assign \chain_i[3]  = 19'h00000;
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
+  assign \core__chain_i[0]  = core__chain_i[18:0];
+  assign \core__chain_i[1]  = core__chain_i[37:19];
+  assign \core__chain_i[2]  = core__chain_i[56:38];
+  assign \core__chain_i[3]  = core__chain_i[75:57];
+  assign \chain_i[0]  = core__chain_i[18:0];
+  assign \chain_i[1]  = core__chain_i[37:19];
+  assign \chain_i[2]  = core__chain_i[56:38];
+  assign \chain_i[3]  = core__chain_i[75:57];
   assign \chain_o[0]  = chain_o[18:0];
   assign \chain_o[1]  = chain_o[37:19];
   assign \chain_o[2]  = chain_o[56:38];
@@ -17568,7 +18925,7 @@ module \macram_top.array.unit062 (rst, core__shift, chain_o, core__control, core
   assign \core__chain_o[3]  = chain_o[75:57];
 endmodule
 
-module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
+module \macram_top.array.unit063 (rst, core__shift, core__chain_i, chain_o, core__control, core__activations, address, write__addr, write__data, write__en, clk);
   wire [9:0] \$signature__addr ;
   wire [71:0] \$signature__data ;
   wire [95:0] activations;
@@ -17587,14 +18944,17 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  wire [7:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   input [95:0] core__activations;
   wire [95:0] core__activations;
+  input [75:0] core__chain_i;
   wire [75:0] core__chain_i;
   wire [18:0] \core__chain_i[0] ;
   wire [18:0] \core__chain_i[1] ;
@@ -17605,13 +18965,15 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
   wire [18:0] \core__chain_o[1] ;
   wire [18:0] \core__chain_o[2] ;
   wire [18:0] \core__chain_o[3] ;
-  input [7:0] core__control;
-  wire [7:0] core__control;
+  input [9:0] core__control;
+  wire [9:0] core__control;
+  wire \core__control.carried ;
   wire \core__control.edge ;
   wire \core__control.en ;
   wire \core__control.first ;
   wire \core__control.last ;
   wire [3:0] \core__control.tile ;
+  wire \core__control.unload ;
   input core__shift;
   wire core__shift;
   wire [71:0] core__weight;
@@ -17630,7 +18992,7 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
   wire write_en;
   macram_unit core (
     .activations(core__activations),
-    .chain_i(76'h0000000000000000000),
+    .chain_i(core__chain_i),
     .chain_o(chain_o),
     .clk(clk),
     .control(core__control),
@@ -17660,29 +19022,32 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
   assign activations = core__activations;
   assign control = core__control;
   assign shift = core__shift;
-  assign core__chain_i = 76'h0000000000000000000;
-  assign chain_i = 76'h0000000000000000000;
+  assign chain_i = core__chain_i;
   assign core__chain_o = chain_o;
   assign \write.addr  = write__addr;
   assign \write.data  = write__data;
   assign \core__control.en  = core__control[0];
   assign \core__control.first  = core__control[1];
-  assign \core__control.last  = core__control[2];
-  assign \core__control.edge  = core__control[3];
-  assign \core__control.tile  = core__control[7:4];
+  assign \core__control.carried  = core__control[2];
+  assign \core__control.last  = core__control[3];
+  assign \core__control.edge  = core__control[4];
+  assign \core__control.tile  = core__control[8:5];
+  assign \core__control.unload  = core__control[9];
   assign \control.en  = core__control[0];
   assign \control.first  = core__control[1];
-  assign \control.last  = core__control[2];
-  assign \control.edge  = core__control[3];
-  assign \control.tile  = core__control[7:4];
-  assign \core__chain_i[0]  = 19'h00000;
-  assign \core__chain_i[1]  = 19'h00000;
-  assign \core__chain_i[2]  = 19'h00000;
-  assign \core__chain_i[3]  = 19'h00000;
-  assign \chain_i[0]  = 19'h00000;
-  assign \chain_i[1]  = 19'h00000;
-  assign \chain_i[2]  = 19'h00000;
-  assign \chain_i[3]  = 19'h00000;
+  assign \control.carried  = core__control[2];
+  assign \control.last  = core__control[3];
+  assign \control.edge  = core__control[4];
+  assign \control.tile  = core__control[8:5];
+  assign \control.unload  = core__control[9];
+  assign \core__chain_i[0]  = core__chain_i[18:0];
+  assign \core__chain_i[1]  = core__chain_i[37:19];
+  assign \core__chain_i[2]  = core__chain_i[56:38];
+  assign \core__chain_i[3]  = core__chain_i[75:57];
+  assign \chain_i[0]  = core__chain_i[18:0];
+  assign \chain_i[1]  = core__chain_i[37:19];
+  assign \chain_i[2]  = core__chain_i[56:38];
+  assign \chain_i[3]  = core__chain_i[75:57];
   assign \chain_o[0]  = chain_o[18:0];
   assign \chain_o[1]  = chain_o[37:19];
   assign \chain_o[2]  = chain_o[56:38];
@@ -17694,7 +19059,7 @@ module \macram_top.array.unit063 (rst, core__shift, chain_o, core__control, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1272$0 , \port$1278$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
+, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1368$0 , \port$1374$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -17818,10 +19183,10 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
   wire [31:0] partial_c_in;
-  input \port$1272$0 ;
-  wire \port$1272$0 ;
-  input [2:0] \port$1278$0 ;
-  wire [2:0] \port$1278$0 ;
+  input \port$1368$0 ;
+  wire \port$1368$0 ;
+  input [2:0] \port$1374$0 ;
+  wire [2:0] \port$1374$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
   output [31:0] requant_base;
@@ -18158,9 +19523,9 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h02:
             \$43  = 32'd0;
         5'h03:
-            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1272$0 , busy };
+            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1368$0 , busy };
         5'h04:
-            \$43  = { 29'h00000000, \port$1278$0  };
+            \$43  = { 29'h00000000, \port$1374$0  };
         5'h05:
             \$43  = height;
         5'h06:
@@ -18793,8 +20158,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       \$35  = 32'd0;
     end
   end
-  assign status = { 28'h0000000, loading, \port$2$0 , \port$1272$0 , busy };
-  assign error = { 29'h00000000, \port$1278$0  };
+  assign status = { 28'h0000000, loading, \port$2$0 , \port$1368$0 , busy };
+  assign error = { 29'h00000000, \port$1374$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
   assign weight_depth = 32'd1024;

@@ -2,62 +2,69 @@
 module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weight);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
-  wire [18:0] \$10 ;
-  wire [18:0] \$11 ;
-  wire \$12 ;
-  wire \$13 ;
-  reg [7:0] \$14 ;
-  reg [7:0] \$15 ;
-  reg [8:0] \$16 ;
-  reg [8:0] \$17 ;
+  wire \$10 ;
+  wire \$11 ;
+  wire [18:0] \$12 ;
+  wire [18:0] \$13 ;
+  wire [18:0] \$14 ;
+  wire [18:0] \$15 ;
+  wire \$16 ;
+  wire \$17 ;
   reg [9:0] \$18 ;
-  reg [8:0] \$19 ;
+  reg [7:0] \$19 ;
   wire \$2 ;
-  reg [9:0] \$20 ;
+  reg [8:0] \$20 ;
   reg [8:0] \$21 ;
   reg [9:0] \$22 ;
   reg [8:0] \$23 ;
   reg [9:0] \$24 ;
-  reg [7:0] \$25 ;
-  reg [8:0] \$26 ;
-  reg [18:0] \$27 ;
-  reg [18:0] \$28 ;
-  reg [18:0] \$29 ;
+  reg [8:0] \$25 ;
+  reg [9:0] \$26 ;
+  reg [8:0] \$27 ;
+  reg [9:0] \$28 ;
+  reg [7:0] \$29 ;
   wire \$3 ;
-  reg [18:0] \$30 ;
+  reg [8:0] \$30 ;
   reg [18:0] \$31 ;
   reg [18:0] \$32 ;
-  reg [75:0] \$33 ;
+  reg [18:0] \$33 ;
+  reg [18:0] \$34 ;
+  reg [18:0] \$35 ;
+  reg [18:0] \$36 ;
+  reg [75:0] \$37 ;
   wire \$4 ;
   wire \$5 ;
   wire \$6 ;
   wire \$7 ;
   wire [18:0] \$8 ;
   wire [18:0] \$9 ;
-  reg [7:0] \$signal  = 8'h00;
+  reg [9:0] \$signal  = 10'h000;
+  wire \$signal.carried ;
   wire \$signal.edge ;
   wire \$signal.en ;
   wire \$signal.first ;
   wire \$signal.last ;
   wire [3:0] \$signal.tile ;
+  wire \$signal.unload ;
   wire [4:0] \$signature__addr ;
-  wire [4:0] \$signature__addr$143 ;
+  wire [4:0] \$signature__addr$144 ;
   wire [18:0] \$signature__data ;
-  wire [18:0] \$signature__data$145 ;
+  wire [18:0] \$signature__data$49 ;
   wire [7:0] a;
-  wire [8:0] \a$102 ;
-  wire [8:0] \a$105 ;
-  wire [9:0] \a$108 ;
-  wire [8:0] \a$112 ;
-  wire [8:0] \a$115 ;
-  wire [9:0] \a$118 ;
-  wire [7:0] \a$122 ;
-  wire [7:0] \a$125 ;
-  wire [8:0] \a$128 ;
+  wire [9:0] \a$100 ;
+  wire [8:0] \a$104 ;
+  wire [8:0] \a$107 ;
+  wire [9:0] \a$110 ;
+  wire [8:0] \a$114 ;
+  wire [8:0] \a$117 ;
+  wire [9:0] \a$120 ;
+  wire [7:0] \a$124 ;
+  wire [7:0] \a$127 ;
+  wire [8:0] \a$130 ;
   (* init = 19'h00000 *)
-  wire [18:0] \a$132 ;
+  wire [18:0] \a$134 ;
   (* init = 19'h00000 *)
-  wire [18:0] \a$140 ;
+  wire [18:0] \a$141 ;
   (* init = 19'h00000 *)
   wire [18:0] \a$148 ;
   (* init = 19'h00000 *)
@@ -66,14 +73,13 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire [18:0] \a$154 ;
   (* init = 19'h00000 *)
   wire [18:0] \a$157 ;
-  wire [7:0] \a$70 ;
-  wire [8:0] \a$76 ;
-  wire [8:0] \a$82 ;
-  wire [8:0] \a$85 ;
-  wire [9:0] \a$88 ;
-  wire [8:0] \a$92 ;
-  wire [8:0] \a$95 ;
-  wire [9:0] \a$98 ;
+  wire [7:0] \a$72 ;
+  wire [8:0] \a$78 ;
+  wire [8:0] \a$84 ;
+  wire [8:0] \a$87 ;
+  wire [9:0] \a$90 ;
+  wire [8:0] \a$94 ;
+  wire [8:0] \a$97 ;
   reg [18:0] acc0 = 19'h00000;
   reg [18:0] acc1 = 19'h00000;
   reg [18:0] acc2 = 19'h00000;
@@ -83,53 +89,53 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   input [95:0] activations;
   wire [95:0] activations;
   wire [7:0] b;
-  wire [8:0] \b$103 ;
-  wire [8:0] \b$106 ;
-  wire [9:0] \b$109 ;
-  wire [8:0] \b$113 ;
-  wire [8:0] \b$116 ;
-  wire [9:0] \b$119 ;
-  wire [7:0] \b$123 ;
-  wire [7:0] \b$126 ;
-  wire [8:0] \b$129 ;
-  wire [18:0] \b$133 ;
-  wire [18:0] \b$141 ;
+  wire [9:0] \b$101 ;
+  wire [8:0] \b$105 ;
+  wire [8:0] \b$108 ;
+  wire [9:0] \b$111 ;
+  wire [8:0] \b$115 ;
+  wire [8:0] \b$118 ;
+  wire [9:0] \b$121 ;
+  wire [7:0] \b$125 ;
+  wire [7:0] \b$128 ;
+  wire [8:0] \b$131 ;
+  wire [18:0] \b$135 ;
+  wire [18:0] \b$142 ;
   wire [18:0] \b$149 ;
   wire [18:0] \b$152 ;
   wire [18:0] \b$155 ;
   wire [18:0] \b$158 ;
-  wire [7:0] \b$72 ;
-  wire [8:0] \b$78 ;
-  wire [8:0] \b$83 ;
-  wire [8:0] \b$86 ;
-  wire [9:0] \b$89 ;
-  wire [8:0] \b$93 ;
-  wire [8:0] \b$96 ;
-  wire [9:0] \b$99 ;
+  wire [7:0] \b$74 ;
+  wire [8:0] \b$80 ;
+  wire [8:0] \b$85 ;
+  wire [8:0] \b$88 ;
+  wire [9:0] \b$91 ;
+  wire [8:0] \b$95 ;
+  wire [8:0] \b$98 ;
   wire [7:0] c;
-  wire [9:0] \c$100 ;
-  wire [8:0] \c$104 ;
-  wire [8:0] \c$107 ;
-  wire [9:0] \c$110 ;
-  wire [8:0] \c$114 ;
-  wire [8:0] \c$117 ;
-  wire [9:0] \c$120 ;
-  wire [7:0] \c$124 ;
-  wire [7:0] \c$127 ;
-  wire [8:0] \c$130 ;
-  wire [18:0] \c$134 ;
-  wire [18:0] \c$142 ;
+  wire [9:0] \c$102 ;
+  wire [8:0] \c$106 ;
+  wire [8:0] \c$109 ;
+  wire [9:0] \c$112 ;
+  wire [8:0] \c$116 ;
+  wire [8:0] \c$119 ;
+  wire [9:0] \c$122 ;
+  wire [7:0] \c$126 ;
+  wire [7:0] \c$129 ;
+  wire [8:0] \c$132 ;
+  wire [18:0] \c$136 ;
+  wire [18:0] \c$143 ;
   wire [18:0] \c$150 ;
   wire [18:0] \c$153 ;
   wire [18:0] \c$156 ;
   wire [18:0] \c$159 ;
-  wire [7:0] \c$74 ;
-  wire [8:0] \c$80 ;
-  wire [8:0] \c$84 ;
-  wire [8:0] \c$87 ;
-  wire [9:0] \c$90 ;
-  wire [8:0] \c$94 ;
-  wire [8:0] \c$97 ;
+  wire [7:0] \c$76 ;
+  wire [8:0] \c$82 ;
+  wire [8:0] \c$86 ;
+  wire [8:0] \c$89 ;
+  wire [9:0] \c$92 ;
+  wire [8:0] \c$96 ;
+  wire [8:0] \c$99 ;
   input [75:0] chain_i;
   wire [75:0] chain_i;
   wire [18:0] \chain_i[0] ;
@@ -144,24 +150,19 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire [18:0] \chain_o[3] ;
   input clk;
   wire clk;
-  input [7:0] control;
-  wire [7:0] control;
+  input [9:0] control;
+  wire [9:0] control;
+  wire \control.carried ;
   wire \control.edge ;
   wire \control.en ;
   wire \control.first ;
   wire \control.last ;
   wire [3:0] \control.tile ;
+  wire \control.unload ;
   wire [18:0] d;
-  wire [18:0] \d$144 ;
+  wire [18:0] \d$145 ;
   wire done;
   wire [47:0] lanes;
-  wire [47:0] \lanes$67 ;
-  wire [7:0] \lanes$67[0] ;
-  wire [7:0] \lanes$67[1] ;
-  wire [7:0] \lanes$67[2] ;
-  wire [7:0] \lanes$67[3] ;
-  wire [7:0] \lanes$67[4] ;
-  wire [7:0] \lanes$67[5] ;
   wire [47:0] \lanes$69 ;
   wire [7:0] \lanes$69[0] ;
   wire [7:0] \lanes$69[1] ;
@@ -204,6 +205,13 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire [7:0] \lanes$79[3] ;
   wire [7:0] \lanes$79[4] ;
   wire [7:0] \lanes$79[5] ;
+  wire [47:0] \lanes$81 ;
+  wire [7:0] \lanes$81[0] ;
+  wire [7:0] \lanes$81[1] ;
+  wire [7:0] \lanes$81[2] ;
+  wire [7:0] \lanes$81[3] ;
+  wire [7:0] \lanes$81[4] ;
+  wire [7:0] \lanes$81[5] ;
   wire [7:0] \lanes[0] ;
   wire [7:0] \lanes[1] ;
   wire [7:0] \lanes[2] ;
@@ -211,11 +219,6 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire [7:0] \lanes[4] ;
   wire [7:0] \lanes[5] ;
   wire [11:0] pixels;
-  wire [11:0] \pixels$51 ;
-  wire [2:0] \pixels$51[0] ;
-  wire [2:0] \pixels$51[1] ;
-  wire [2:0] \pixels$51[2] ;
-  wire [2:0] \pixels$51[3] ;
   wire [11:0] \pixels$53 ;
   wire [2:0] \pixels$53[0] ;
   wire [2:0] \pixels$53[1] ;
@@ -246,6 +249,11 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire [2:0] \pixels$63[1] ;
   wire [2:0] \pixels$63[2] ;
   wire [2:0] \pixels$63[3] ;
+  wire [11:0] \pixels$65 ;
+  wire [2:0] \pixels$65[0] ;
+  wire [2:0] \pixels$65[1] ;
+  wire [2:0] \pixels$65[2] ;
+  wire [2:0] \pixels$65[3] ;
   wire [2:0] \pixels[0] ;
   wire [2:0] \pixels[1] ;
   wire [2:0] \pixels[2] ;
@@ -273,10 +281,6 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   reg [7:0] sum5_0 = 8'h00;
   reg [8:0] sum5_1 = 9'h000;
   wire [8:0] taps;
-  wire [8:0] \taps$50 ;
-  wire [2:0] \taps$50[0] ;
-  wire [2:0] \taps$50[1] ;
-  wire [2:0] \taps$50[2] ;
   wire [8:0] \taps$52 ;
   wire [2:0] \taps$52[0] ;
   wire [2:0] \taps$52[1] ;
@@ -301,15 +305,19 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire [2:0] \taps$62[0] ;
   wire [2:0] \taps$62[1] ;
   wire [2:0] \taps$62[2] ;
+  wire [8:0] \taps$64 ;
+  wire [2:0] \taps$64[0] ;
+  wire [2:0] \taps$64[1] ;
+  wire [2:0] \taps$64[2] ;
   wire [2:0] \taps[0] ;
   wire [2:0] \taps[1] ;
   wire [2:0] \taps[2] ;
   wire [7:0] total;
-  wire [8:0] \total$101 ;
-  wire [8:0] \total$111 ;
-  wire [8:0] \total$121 ;
+  wire [8:0] \total$103 ;
+  wire [8:0] \total$113 ;
+  wire [8:0] \total$123 ;
   wire [8:0] \total$13 ;
-  wire [7:0] \total$131 ;
+  wire [7:0] \total$133 ;
   wire [8:0] \total$15 ;
   wire [9:0] \total$17 ;
   wire [8:0] \total$19 ;
@@ -326,8 +334,8 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   wire [18:0] \total$41 ;
   wire [18:0] \total$43 ;
   wire [18:0] \total$45 ;
-  wire [7:0] \total$81 ;
-  wire [8:0] \total$91 ;
+  wire [7:0] \total$83 ;
+  wire [8:0] \total$93 ;
   input [71:0] weight;
   wire [71:0] weight;
   reg [71:0] \weight$8  = 72'h000000000000000000;
@@ -344,57 +352,61 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   assign \$5  = control[0] & control[1];
   assign \$6  = control[0] & control[1];
   assign \$7  = done | shift;
-  assign \$8  = done ? \total$35  : chain_i[18:0];
-  assign \$9  = done ? \total$37  : chain_i[37:19];
-  assign \$10  = done ? \total$39  : chain_i[56:38];
-  assign \$11  = done ? \total$41  : chain_i[75:57];
-  assign done = \$signal [0] & \$signal [2];
-  assign \$signature__addr  = \$signal [1] ? { 1'h0, \$signal [7:4] } : 5'h10;
-  assign \$12  = ~ \$signal [3];
-  assign \$13  = \$signal [1] & \$12 ;
-  assign \$signature__addr$143  = \$13  ? { 1'h0, \$signal [7:4] } : 5'h10;
+  assign \$8  = done ? \total$37  : chain_i[37:19];
+  assign \$9  = done ? \total$39  : chain_i[56:38];
+  assign \$10  = done | shift;
+  assign \$11  = \$10  | \$signal [9];
+  assign \$12  = \$signal [9] ? \$signature__data  : chain_i[18:0];
+  assign \$13  = done ? \total$35  : \$12 ;
+  assign \$14  = \$signal [9] ? \$signature__data$49  : chain_i[75:57];
+  assign \$15  = done ? \total$41  : \$14 ;
+  assign done = \$signal [0] & \$signal [3];
+  assign \$signature__addr  = \$signal [2] ? { 1'h0, \$signal [8:5] } : 5'h10;
+  assign \$16  = ~ \$signal [4];
+  assign \$17  = \$signal [2] & \$16 ;
+  assign \$signature__addr$144  = \$17  ? { 1'h0, \$signal [8:5] } : 5'h10;
   always @(posedge clk)
     \weight$8  <= weight;
   always @(posedge clk)
-    \$signal  <= \$14 ;
+    \$signal  <= \$18 ;
   always @(posedge clk)
-    sum0_0 <= \$15 ;
+    sum0_0 <= \$19 ;
   always @(posedge clk)
-    sum0_1 <= \$16 ;
+    sum0_1 <= \$20 ;
   always @(posedge clk)
-    sum1_0 <= \$17 ;
+    sum1_0 <= \$21 ;
   always @(posedge clk)
-    sum1_1 <= \$18 ;
+    sum1_1 <= \$22 ;
   always @(posedge clk)
-    sum2_0 <= \$19 ;
+    sum2_0 <= \$23 ;
   always @(posedge clk)
-    sum2_1 <= \$20 ;
+    sum2_1 <= \$24 ;
   always @(posedge clk)
-    sum3_0 <= \$21 ;
+    sum3_0 <= \$25 ;
   always @(posedge clk)
-    sum3_1 <= \$22 ;
+    sum3_1 <= \$26 ;
   always @(posedge clk)
-    sum4_0 <= \$23 ;
+    sum4_0 <= \$27 ;
   always @(posedge clk)
-    sum4_1 <= \$24 ;
+    sum4_1 <= \$28 ;
   always @(posedge clk)
-    sum5_0 <= \$25 ;
+    sum5_0 <= \$29 ;
   always @(posedge clk)
-    sum5_1 <= \$26 ;
+    sum5_1 <= \$30 ;
   always @(posedge clk)
-    acc0 <= \$27 ;
+    acc0 <= \$31 ;
   always @(posedge clk)
-    acc1 <= \$28 ;
+    acc1 <= \$32 ;
   always @(posedge clk)
-    acc2 <= \$29 ;
+    acc2 <= \$33 ;
   always @(posedge clk)
-    acc3 <= \$30 ;
+    acc3 <= \$34 ;
   always @(posedge clk)
-    acc4 <= \$31 ;
+    acc4 <= \$35 ;
   always @(posedge clk)
-    acc5 <= \$32 ;
+    acc5 <= \$36 ;
   always @(posedge clk)
-    chain_o <= \$33 ;
+    chain_o <= \$37 ;
   macram_add3 #(
     .WIDTH(32'd19),
     .XILINX(32'd0)
@@ -403,7 +415,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .b({ sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0 }),
     .c({ sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1 }),
     .ci(1'h0),
-    .d(d),
+    .d(\$signature__data ),
     .sum(\total$35 ),
     .x(1'h0)
   );
@@ -415,7 +427,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .b({ sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0 }),
     .c({ sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1 }),
     .ci(1'h0),
-    .d(\d$144 ),
+    .d(\$signature__data$49 ),
     .sum(\total$37 ),
     .x(1'h0)
   );
@@ -476,8 +488,8 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   ) carry0 (
     .clk(clk),
     .read_addr(\$signature__addr ),
-    .read_data(d),
-    .write_addr({ 1'h0, \$signal [7:4] }),
+    .read_data(\$signature__data ),
+    .write_addr({ 1'h0, \$signal [8:5] }),
     .write_data(\total$43 ),
     .write_en(done)
   );
@@ -489,9 +501,9 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .WIDTH(32'd19)
   ) carry1 (
     .clk(clk),
-    .read_addr(\$signature__addr$143 ),
-    .read_data(\d$144 ),
-    .write_addr({ 1'h0, \$signal [7:4] }),
+    .read_addr(\$signature__addr$144 ),
+    .read_data(\$signature__data$49 ),
+    .write_addr({ 1'h0, \$signal [8:5] }),
     .write_data(\total$45 ),
     .write_en(done)
   );
@@ -507,7 +519,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   );
   \macram_unit.engine1  engine1 (
     .clk(clk),
-    .lanes(\lanes$67 ),
+    .lanes(\lanes$69 ),
     .\port$0$101 (activations[29:27]),
     .\port$0$125 (activations[53:51]),
     .\port$0$149 (activations[77:75]),
@@ -517,7 +529,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   );
   \macram_unit.engine2  engine2 (
     .clk(clk),
-    .lanes(\lanes$69 ),
+    .lanes(\lanes$71 ),
     .\port$0$104 (activations[32:30]),
     .\port$0$128 (activations[56:54]),
     .\port$0$152 (activations[80:78]),
@@ -527,7 +539,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   );
   \macram_unit.engine3  engine3 (
     .clk(clk),
-    .lanes(\lanes$71 ),
+    .lanes(\lanes$73 ),
     .\port$0$107 (activations[35:33]),
     .\port$0$131 (activations[59:57]),
     .\port$0$155 (activations[83:81]),
@@ -537,7 +549,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   );
   \macram_unit.engine4  engine4 (
     .clk(clk),
-    .lanes(\lanes$73 ),
+    .lanes(\lanes$75 ),
     .\port$0$110 (activations[38:36]),
     .\port$0$134 (activations[62:60]),
     .\port$0$158 (activations[86:84]),
@@ -547,7 +559,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   );
   \macram_unit.engine5  engine5 (
     .clk(clk),
-    .lanes(\lanes$75 ),
+    .lanes(\lanes$77 ),
     .\port$0$113 (activations[41:39]),
     .\port$0$137 (activations[65:63]),
     .\port$0$161 (activations[89:87]),
@@ -557,7 +569,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   );
   \macram_unit.engine6  engine6 (
     .clk(clk),
-    .lanes(\lanes$77 ),
+    .lanes(\lanes$79 ),
     .\port$0$116 (activations[44:42]),
     .\port$0$140 (activations[68:66]),
     .\port$0$164 (activations[92:90]),
@@ -567,7 +579,7 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   );
   \macram_unit.engine7  engine7 (
     .clk(clk),
-    .lanes(\lanes$79 ),
+    .lanes(\lanes$81 ),
     .\port$0$119 (activations[47:45]),
     .\port$0$143 (activations[71:69]),
     .\port$0$167 (activations[95:93]),
@@ -579,9 +591,9 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .WIDTH(32'd9),
     .XILINX(32'd0)
   ) lane0_add1 (
-    .a({ \lanes$77 [5], \lanes$77 [5], \lanes$77 [5], \lanes$77 [5:0] }),
-    .b({ \lanes$79 [5], \lanes$79 [5], \lanes$79 [5], \lanes$79 [5:0] }),
-    .c({ \total$81 [7], \total$81  }),
+    .a({ \lanes$79 [5], \lanes$79 [5], \lanes$79 [5], \lanes$79 [5:0] }),
+    .b({ \lanes$81 [5], \lanes$81 [5], \lanes$81 [5], \lanes$81 [5:0] }),
+    .c({ \total$83 [7], \total$83  }),
     .ci(1'h0),
     .d(9'h000),
     .sum(\total$13 ),
@@ -591,9 +603,9 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .WIDTH(32'd8),
     .XILINX(32'd0)
   ) lane0_add3 (
-    .a({ \lanes$71 [5], \lanes$71 [5], \lanes$71 [5:0] }),
-    .b({ \lanes$73 [5], \lanes$73 [5], \lanes$73 [5:0] }),
-    .c({ \lanes$75 [5], \lanes$75 [5], \lanes$75 [5:0] }),
+    .a({ \lanes$73 [5], \lanes$73 [5], \lanes$73 [5:0] }),
+    .b({ \lanes$75 [5], \lanes$75 [5], \lanes$75 [5:0] }),
+    .c({ \lanes$77 [5], \lanes$77 [5], \lanes$77 [5:0] }),
     .ci(1'h0),
     .d(8'h00),
     .sum(total),
@@ -604,20 +616,20 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .XILINX(32'd0)
   ) lane0_add5 (
     .a({ lanes[5], lanes[5], lanes[5:0] }),
-    .b({ \lanes$67 [5], \lanes$67 [5], \lanes$67 [5:0] }),
-    .c({ \lanes$69 [5], \lanes$69 [5], \lanes$69 [5:0] }),
+    .b({ \lanes$69 [5], \lanes$69 [5], \lanes$69 [5:0] }),
+    .c({ \lanes$71 [5], \lanes$71 [5], \lanes$71 [5:0] }),
     .ci(1'h0),
     .d(8'h00),
-    .sum(\total$81 ),
+    .sum(\total$83 ),
     .x(1'h0)
   );
   macram_add3 #(
     .WIDTH(32'd10),
     .XILINX(32'd0)
   ) lane1_add1 (
-    .a({ \lanes$77 [14], \lanes$77 [14], \lanes$77 [14], \lanes$77 [14:8] }),
-    .b({ \lanes$79 [14], \lanes$79 [14], \lanes$79 [14], \lanes$79 [14:8] }),
-    .c({ \total$91 [8], \total$91  }),
+    .a({ \lanes$79 [14], \lanes$79 [14], \lanes$79 [14], \lanes$79 [14:8] }),
+    .b({ \lanes$81 [14], \lanes$81 [14], \lanes$81 [14], \lanes$81 [14:8] }),
+    .c({ \total$93 [8], \total$93  }),
     .ci(1'h0),
     .d(10'h000),
     .sum(\total$17 ),
@@ -627,9 +639,9 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .WIDTH(32'd9),
     .XILINX(32'd0)
   ) lane1_add3 (
-    .a({ \lanes$71 [14], \lanes$71 [14], \lanes$71 [14:8] }),
-    .b({ \lanes$73 [14], \lanes$73 [14], \lanes$73 [14:8] }),
-    .c({ \lanes$75 [14], \lanes$75 [14], \lanes$75 [14:8] }),
+    .a({ \lanes$73 [14], \lanes$73 [14], \lanes$73 [14:8] }),
+    .b({ \lanes$75 [14], \lanes$75 [14], \lanes$75 [14:8] }),
+    .c({ \lanes$77 [14], \lanes$77 [14], \lanes$77 [14:8] }),
     .ci(1'h0),
     .d(9'h000),
     .sum(\total$15 ),
@@ -640,20 +652,20 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .XILINX(32'd0)
   ) lane1_add5 (
     .a({ lanes[14], lanes[14], lanes[14:8] }),
-    .b({ \lanes$67 [14], \lanes$67 [14], \lanes$67 [14:8] }),
-    .c({ \lanes$69 [14], \lanes$69 [14], \lanes$69 [14:8] }),
+    .b({ \lanes$69 [14], \lanes$69 [14], \lanes$69 [14:8] }),
+    .c({ \lanes$71 [14], \lanes$71 [14], \lanes$71 [14:8] }),
     .ci(1'h0),
     .d(9'h000),
-    .sum(\total$91 ),
+    .sum(\total$93 ),
     .x(1'h0)
   );
   macram_add3 #(
     .WIDTH(32'd10),
     .XILINX(32'd0)
   ) lane2_add1 (
-    .a({ \lanes$77 [23], \lanes$77 [23], \lanes$77 [23:16] }),
-    .b({ \lanes$79 [23], \lanes$79 [23], \lanes$79 [23:16] }),
-    .c({ \total$101 [8], \total$101  }),
+    .a({ \lanes$79 [23], \lanes$79 [23], \lanes$79 [23:16] }),
+    .b({ \lanes$81 [23], \lanes$81 [23], \lanes$81 [23:16] }),
+    .c({ \total$103 [8], \total$103  }),
     .ci(1'h0),
     .d(10'h000),
     .sum(\total$21 ),
@@ -663,9 +675,9 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .WIDTH(32'd9),
     .XILINX(32'd0)
   ) lane2_add3 (
-    .a({ \lanes$71 [23], \lanes$71 [23:16] }),
-    .b({ \lanes$73 [23], \lanes$73 [23:16] }),
-    .c({ \lanes$75 [23], \lanes$75 [23:16] }),
+    .a({ \lanes$73 [23], \lanes$73 [23:16] }),
+    .b({ \lanes$75 [23], \lanes$75 [23:16] }),
+    .c({ \lanes$77 [23], \lanes$77 [23:16] }),
     .ci(1'h0),
     .d(9'h000),
     .sum(\total$19 ),
@@ -676,20 +688,20 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .XILINX(32'd0)
   ) lane2_add5 (
     .a({ lanes[23], lanes[23:16] }),
-    .b({ \lanes$67 [23], \lanes$67 [23:16] }),
-    .c({ \lanes$69 [23], \lanes$69 [23:16] }),
+    .b({ \lanes$69 [23], \lanes$69 [23:16] }),
+    .c({ \lanes$71 [23], \lanes$71 [23:16] }),
     .ci(1'h0),
     .d(9'h000),
-    .sum(\total$101 ),
+    .sum(\total$103 ),
     .x(1'h0)
   );
   macram_add3 #(
     .WIDTH(32'd10),
     .XILINX(32'd0)
   ) lane3_add1 (
-    .a({ \lanes$77 [31], \lanes$77 [31], \lanes$77 [31:24] }),
-    .b({ \lanes$79 [31], \lanes$79 [31], \lanes$79 [31:24] }),
-    .c({ \total$111 [8], \total$111  }),
+    .a({ \lanes$79 [31], \lanes$79 [31], \lanes$79 [31:24] }),
+    .b({ \lanes$81 [31], \lanes$81 [31], \lanes$81 [31:24] }),
+    .c({ \total$113 [8], \total$113  }),
     .ci(1'h0),
     .d(10'h000),
     .sum(\total$25 ),
@@ -699,9 +711,9 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .WIDTH(32'd9),
     .XILINX(32'd0)
   ) lane3_add3 (
-    .a({ \lanes$71 [31], \lanes$71 [31:24] }),
-    .b({ \lanes$73 [31], \lanes$73 [31:24] }),
-    .c({ \lanes$75 [31], \lanes$75 [31:24] }),
+    .a({ \lanes$73 [31], \lanes$73 [31:24] }),
+    .b({ \lanes$75 [31], \lanes$75 [31:24] }),
+    .c({ \lanes$77 [31], \lanes$77 [31:24] }),
     .ci(1'h0),
     .d(9'h000),
     .sum(\total$23 ),
@@ -712,20 +724,20 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .XILINX(32'd0)
   ) lane3_add5 (
     .a({ lanes[31], lanes[31:24] }),
-    .b({ \lanes$67 [31], \lanes$67 [31:24] }),
-    .c({ \lanes$69 [31], \lanes$69 [31:24] }),
+    .b({ \lanes$69 [31], \lanes$69 [31:24] }),
+    .c({ \lanes$71 [31], \lanes$71 [31:24] }),
     .ci(1'h0),
     .d(9'h000),
-    .sum(\total$111 ),
+    .sum(\total$113 ),
     .x(1'h0)
   );
   macram_add3 #(
     .WIDTH(32'd10),
     .XILINX(32'd0)
   ) lane4_add1 (
-    .a({ \lanes$77 [38], \lanes$77 [38], \lanes$77 [38], \lanes$77 [38:32] }),
-    .b({ \lanes$79 [38], \lanes$79 [38], \lanes$79 [38], \lanes$79 [38:32] }),
-    .c({ \total$121 [8], \total$121  }),
+    .a({ \lanes$79 [38], \lanes$79 [38], \lanes$79 [38], \lanes$79 [38:32] }),
+    .b({ \lanes$81 [38], \lanes$81 [38], \lanes$81 [38], \lanes$81 [38:32] }),
+    .c({ \total$123 [8], \total$123  }),
     .ci(1'h0),
     .d(10'h000),
     .sum(\total$29 ),
@@ -735,9 +747,9 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .WIDTH(32'd9),
     .XILINX(32'd0)
   ) lane4_add3 (
-    .a({ \lanes$71 [38], \lanes$71 [38], \lanes$71 [38:32] }),
-    .b({ \lanes$73 [38], \lanes$73 [38], \lanes$73 [38:32] }),
-    .c({ \lanes$75 [38], \lanes$75 [38], \lanes$75 [38:32] }),
+    .a({ \lanes$73 [38], \lanes$73 [38], \lanes$73 [38:32] }),
+    .b({ \lanes$75 [38], \lanes$75 [38], \lanes$75 [38:32] }),
+    .c({ \lanes$77 [38], \lanes$77 [38], \lanes$77 [38:32] }),
     .ci(1'h0),
     .d(9'h000),
     .sum(\total$27 ),
@@ -748,20 +760,20 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .XILINX(32'd0)
   ) lane4_add5 (
     .a({ lanes[38], lanes[38], lanes[38:32] }),
-    .b({ \lanes$67 [38], \lanes$67 [38], \lanes$67 [38:32] }),
-    .c({ \lanes$69 [38], \lanes$69 [38], \lanes$69 [38:32] }),
+    .b({ \lanes$69 [38], \lanes$69 [38], \lanes$69 [38:32] }),
+    .c({ \lanes$71 [38], \lanes$71 [38], \lanes$71 [38:32] }),
     .ci(1'h0),
     .d(9'h000),
-    .sum(\total$121 ),
+    .sum(\total$123 ),
     .x(1'h0)
   );
   macram_add3 #(
     .WIDTH(32'd9),
     .XILINX(32'd0)
   ) lane5_add1 (
-    .a({ \lanes$77 [45], \lanes$77 [45], \lanes$77 [45], \lanes$77 [45:40] }),
-    .b({ \lanes$79 [45], \lanes$79 [45], \lanes$79 [45], \lanes$79 [45:40] }),
-    .c({ \total$131 [7], \total$131  }),
+    .a({ \lanes$79 [45], \lanes$79 [45], \lanes$79 [45], \lanes$79 [45:40] }),
+    .b({ \lanes$81 [45], \lanes$81 [45], \lanes$81 [45], \lanes$81 [45:40] }),
+    .c({ \total$133 [7], \total$133  }),
     .ci(1'h0),
     .d(9'h000),
     .sum(\total$33 ),
@@ -771,9 +783,9 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .WIDTH(32'd8),
     .XILINX(32'd0)
   ) lane5_add3 (
-    .a({ \lanes$71 [45], \lanes$71 [45], \lanes$71 [45:40] }),
-    .b({ \lanes$73 [45], \lanes$73 [45], \lanes$73 [45:40] }),
-    .c({ \lanes$75 [45], \lanes$75 [45], \lanes$75 [45:40] }),
+    .a({ \lanes$73 [45], \lanes$73 [45], \lanes$73 [45:40] }),
+    .b({ \lanes$75 [45], \lanes$75 [45], \lanes$75 [45:40] }),
+    .c({ \lanes$77 [45], \lanes$77 [45], \lanes$77 [45:40] }),
     .ci(1'h0),
     .d(8'h00),
     .sum(\total$31 ),
@@ -784,274 +796,276 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
     .XILINX(32'd0)
   ) lane5_add5 (
     .a({ lanes[45], lanes[45], lanes[45:40] }),
-    .b({ \lanes$67 [45], \lanes$67 [45], \lanes$67 [45:40] }),
-    .c({ \lanes$69 [45], \lanes$69 [45], \lanes$69 [45:40] }),
+    .b({ \lanes$69 [45], \lanes$69 [45], \lanes$69 [45:40] }),
+    .c({ \lanes$71 [45], \lanes$71 [45], \lanes$71 [45:40] }),
     .ci(1'h0),
     .d(8'h00),
-    .sum(\total$131 ),
+    .sum(\total$133 ),
     .x(1'h0)
   );
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$14  = control;
-    if (rst) begin
-      \$14  = 8'h00;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$15  = total;
-    if (control[3]) begin
-      \$15  = 8'h00;
-    end
-    if (rst) begin
-      \$15  = 8'h00;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$16  = \total$13 ;
-    if (control[3]) begin
-      \$16  = 9'h000;
-    end
-    if (rst) begin
-      \$16  = 9'h000;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$17  = \total$15 ;
-    if (rst) begin
-      \$17  = 9'h000;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$18  = \total$17 ;
+    \$18  = control;
     if (rst) begin
       \$18  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$19  = \total$19 ;
+    \$19  = total;
+    if (control[4]) begin
+      \$19  = 8'h00;
+    end
     if (rst) begin
-      \$19  = 9'h000;
+      \$19  = 8'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$20  = \total$21 ;
+    \$20  = \total$13 ;
+    if (control[4]) begin
+      \$20  = 9'h000;
+    end
     if (rst) begin
-      \$20  = 10'h000;
+      \$20  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$21  = \total$23 ;
+    \$21  = \total$15 ;
     if (rst) begin
       \$21  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$22  = \total$25 ;
+    \$22  = \total$17 ;
     if (rst) begin
       \$22  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$23  = \total$27 ;
+    \$23  = \total$19 ;
     if (rst) begin
       \$23  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$24  = \total$29 ;
+    \$24  = \total$21 ;
     if (rst) begin
       \$24  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$25  = \total$31 ;
+    \$25  = \total$23 ;
     if (rst) begin
-      \$25  = 8'h00;
+      \$25  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$26  = \total$33 ;
+    \$26  = \total$25 ;
     if (rst) begin
-      \$26  = 9'h000;
+      \$26  = 10'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$27  = acc0;
+    \$27  = \total$27 ;
+    if (rst) begin
+      \$27  = 9'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$28  = \total$29 ;
+    if (rst) begin
+      \$28  = 10'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$29  = \total$31 ;
+    if (rst) begin
+      \$29  = 8'h00;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$30  = \total$33 ;
+    if (rst) begin
+      \$30  = 9'h000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
+    \$31  = acc0;
     if (\$1 ) begin
-      \$27  = 19'h00000;
+      \$31  = 19'h00000;
     end else if (\$signal [0]) begin
-      \$27  = \total$35 ;
+      \$31  = \total$35 ;
     end
     if (rst) begin
-      \$27  = 19'h00000;
+      \$31  = 19'h00000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$28  = acc1;
+    \$32  = acc1;
     if (\$2 ) begin
-      \$28  = 19'h00000;
+      \$32  = 19'h00000;
     end else if (\$signal [0]) begin
-      \$28  = \total$37 ;
+      \$32  = \total$37 ;
     end
     if (rst) begin
-      \$28  = 19'h00000;
+      \$32  = 19'h00000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$29  = acc2;
+    \$33  = acc2;
     if (\$3 ) begin
-      \$29  = 19'h00000;
+      \$33  = 19'h00000;
     end else if (\$signal [0]) begin
-      \$29  = \total$39 ;
+      \$33  = \total$39 ;
     end
     if (rst) begin
-      \$29  = 19'h00000;
+      \$33  = 19'h00000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$30  = acc3;
+    \$34  = acc3;
     if (\$4 ) begin
-      \$30  = 19'h00000;
+      \$34  = 19'h00000;
     end else if (\$signal [0]) begin
-      \$30  = \total$41 ;
+      \$34  = \total$41 ;
     end
     if (rst) begin
-      \$30  = 19'h00000;
+      \$34  = 19'h00000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$31  = acc4;
+    \$35  = acc4;
     if (\$5 ) begin
-      \$31  = 19'h00000;
+      \$35  = 19'h00000;
     end else if (\$signal [0]) begin
-      \$31  = \total$43 ;
+      \$35  = \total$43 ;
     end
     if (rst) begin
-      \$31  = 19'h00000;
+      \$35  = 19'h00000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$32  = acc5;
+    \$36  = acc5;
     if (\$6 ) begin
-      \$32  = 19'h00000;
+      \$36  = 19'h00000;
     end else if (\$signal [0]) begin
-      \$32  = \total$45 ;
+      \$36  = \total$45 ;
     end
     if (rst) begin
-      \$32  = 19'h00000;
+      \$36  = 19'h00000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
-    \$33  = chain_o;
+    \$37  = chain_o;
     if (\$7 ) begin
-      \$33 [18:0] = \$8 ;
-      \$33 [37:19] = \$9 ;
-      \$33 [56:38] = \$10 ;
-      \$33 [75:57] = \$11 ;
+      \$37 [37:19] = \$8 ;
+      \$37 [56:38] = \$9 ;
+    end
+    if (\$11 ) begin
+      \$37 [18:0] = \$13 ;
+      \$37 [75:57] = \$15 ;
     end
   end
   assign result = chain_o;
   assign taps = \weight$8 [8:0];
   assign pixels = { activations[74:72], activations[50:48], activations[26:24], activations[2:0] };
-  assign \taps$50  = \weight$8 [17:9];
-  assign \pixels$51  = { activations[77:75], activations[53:51], activations[29:27], activations[5:3] };
-  assign \taps$52  = \weight$8 [26:18];
-  assign \pixels$53  = { activations[80:78], activations[56:54], activations[32:30], activations[8:6] };
-  assign \taps$54  = \weight$8 [35:27];
-  assign \pixels$55  = { activations[83:81], activations[59:57], activations[35:33], activations[11:9] };
-  assign \taps$56  = \weight$8 [44:36];
-  assign \pixels$57  = { activations[86:84], activations[62:60], activations[38:36], activations[14:12] };
-  assign \taps$58  = \weight$8 [53:45];
-  assign \pixels$59  = { activations[89:87], activations[65:63], activations[41:39], activations[17:15] };
-  assign \taps$60  = \weight$8 [62:54];
-  assign \pixels$61  = { activations[92:90], activations[68:66], activations[44:42], activations[20:18] };
-  assign \taps$62  = \weight$8 [71:63];
-  assign \pixels$63  = { activations[95:93], activations[71:69], activations[47:45], activations[23:21] };
+  assign \taps$52  = \weight$8 [17:9];
+  assign \pixels$53  = { activations[77:75], activations[53:51], activations[29:27], activations[5:3] };
+  assign \taps$54  = \weight$8 [26:18];
+  assign \pixels$55  = { activations[80:78], activations[56:54], activations[32:30], activations[8:6] };
+  assign \taps$56  = \weight$8 [35:27];
+  assign \pixels$57  = { activations[83:81], activations[59:57], activations[35:33], activations[11:9] };
+  assign \taps$58  = \weight$8 [44:36];
+  assign \pixels$59  = { activations[86:84], activations[62:60], activations[38:36], activations[14:12] };
+  assign \taps$60  = \weight$8 [53:45];
+  assign \pixels$61  = { activations[89:87], activations[65:63], activations[41:39], activations[17:15] };
+  assign \taps$62  = \weight$8 [62:54];
+  assign \pixels$63  = { activations[92:90], activations[68:66], activations[44:42], activations[20:18] };
+  assign \taps$64  = \weight$8 [71:63];
+  assign \pixels$65  = { activations[95:93], activations[71:69], activations[47:45], activations[23:21] };
   assign a = { lanes[5], lanes[5], lanes[5:0] };
-  assign b = { \lanes$67 [5], \lanes$67 [5], \lanes$67 [5:0] };
-  assign c = { \lanes$69 [5], \lanes$69 [5], \lanes$69 [5:0] };
-  assign \a$70  = { \lanes$71 [5], \lanes$71 [5], \lanes$71 [5:0] };
-  assign \b$72  = { \lanes$73 [5], \lanes$73 [5], \lanes$73 [5:0] };
-  assign \c$74  = { \lanes$75 [5], \lanes$75 [5], \lanes$75 [5:0] };
-  assign \a$76  = { \lanes$77 [5], \lanes$77 [5], \lanes$77 [5], \lanes$77 [5:0] };
-  assign \b$78  = { \lanes$79 [5], \lanes$79 [5], \lanes$79 [5], \lanes$79 [5:0] };
-  assign \c$80  = { \total$81 [7], \total$81  };
-  assign \a$82  = { lanes[14], lanes[14], lanes[14:8] };
-  assign \b$83  = { \lanes$67 [14], \lanes$67 [14], \lanes$67 [14:8] };
-  assign \c$84  = { \lanes$69 [14], \lanes$69 [14], \lanes$69 [14:8] };
-  assign \a$85  = { \lanes$71 [14], \lanes$71 [14], \lanes$71 [14:8] };
-  assign \b$86  = { \lanes$73 [14], \lanes$73 [14], \lanes$73 [14:8] };
-  assign \c$87  = { \lanes$75 [14], \lanes$75 [14], \lanes$75 [14:8] };
-  assign \a$88  = { \lanes$77 [14], \lanes$77 [14], \lanes$77 [14], \lanes$77 [14:8] };
-  assign \b$89  = { \lanes$79 [14], \lanes$79 [14], \lanes$79 [14], \lanes$79 [14:8] };
-  assign \c$90  = { \total$91 [8], \total$91  };
-  assign \a$92  = { lanes[23], lanes[23:16] };
-  assign \b$93  = { \lanes$67 [23], \lanes$67 [23:16] };
-  assign \c$94  = { \lanes$69 [23], \lanes$69 [23:16] };
-  assign \a$95  = { \lanes$71 [23], \lanes$71 [23:16] };
-  assign \b$96  = { \lanes$73 [23], \lanes$73 [23:16] };
-  assign \c$97  = { \lanes$75 [23], \lanes$75 [23:16] };
-  assign \a$98  = { \lanes$77 [23], \lanes$77 [23], \lanes$77 [23:16] };
-  assign \b$99  = { \lanes$79 [23], \lanes$79 [23], \lanes$79 [23:16] };
-  assign \c$100  = { \total$101 [8], \total$101  };
-  assign \a$102  = { lanes[31], lanes[31:24] };
-  assign \b$103  = { \lanes$67 [31], \lanes$67 [31:24] };
-  assign \c$104  = { \lanes$69 [31], \lanes$69 [31:24] };
-  assign \a$105  = { \lanes$71 [31], \lanes$71 [31:24] };
-  assign \b$106  = { \lanes$73 [31], \lanes$73 [31:24] };
-  assign \c$107  = { \lanes$75 [31], \lanes$75 [31:24] };
-  assign \a$108  = { \lanes$77 [31], \lanes$77 [31], \lanes$77 [31:24] };
-  assign \b$109  = { \lanes$79 [31], \lanes$79 [31], \lanes$79 [31:24] };
-  assign \c$110  = { \total$111 [8], \total$111  };
-  assign \a$112  = { lanes[38], lanes[38], lanes[38:32] };
-  assign \b$113  = { \lanes$67 [38], \lanes$67 [38], \lanes$67 [38:32] };
-  assign \c$114  = { \lanes$69 [38], \lanes$69 [38], \lanes$69 [38:32] };
-  assign \a$115  = { \lanes$71 [38], \lanes$71 [38], \lanes$71 [38:32] };
-  assign \b$116  = { \lanes$73 [38], \lanes$73 [38], \lanes$73 [38:32] };
-  assign \c$117  = { \lanes$75 [38], \lanes$75 [38], \lanes$75 [38:32] };
-  assign \a$118  = { \lanes$77 [38], \lanes$77 [38], \lanes$77 [38], \lanes$77 [38:32] };
-  assign \b$119  = { \lanes$79 [38], \lanes$79 [38], \lanes$79 [38], \lanes$79 [38:32] };
-  assign \c$120  = { \total$121 [8], \total$121  };
-  assign \a$122  = { lanes[45], lanes[45], lanes[45:40] };
-  assign \b$123  = { \lanes$67 [45], \lanes$67 [45], \lanes$67 [45:40] };
-  assign \c$124  = { \lanes$69 [45], \lanes$69 [45], \lanes$69 [45:40] };
-  assign \a$125  = { \lanes$71 [45], \lanes$71 [45], \lanes$71 [45:40] };
-  assign \b$126  = { \lanes$73 [45], \lanes$73 [45], \lanes$73 [45:40] };
-  assign \c$127  = { \lanes$75 [45], \lanes$75 [45], \lanes$75 [45:40] };
-  assign \a$128  = { \lanes$77 [45], \lanes$77 [45], \lanes$77 [45], \lanes$77 [45:40] };
-  assign \b$129  = { \lanes$79 [45], \lanes$79 [45], \lanes$79 [45], \lanes$79 [45:40] };
-  assign \c$130  = { \total$131 [7], \total$131  };
-  assign \a$132  = acc0;
-  assign \b$133  = { sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0 };
-  assign \c$134  = { sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1 };
-  assign \$signature__data  = d;
-  assign write__addr = { 1'h0, \$signal [7:4] };
+  assign b = { \lanes$69 [5], \lanes$69 [5], \lanes$69 [5:0] };
+  assign c = { \lanes$71 [5], \lanes$71 [5], \lanes$71 [5:0] };
+  assign \a$72  = { \lanes$73 [5], \lanes$73 [5], \lanes$73 [5:0] };
+  assign \b$74  = { \lanes$75 [5], \lanes$75 [5], \lanes$75 [5:0] };
+  assign \c$76  = { \lanes$77 [5], \lanes$77 [5], \lanes$77 [5:0] };
+  assign \a$78  = { \lanes$79 [5], \lanes$79 [5], \lanes$79 [5], \lanes$79 [5:0] };
+  assign \b$80  = { \lanes$81 [5], \lanes$81 [5], \lanes$81 [5], \lanes$81 [5:0] };
+  assign \c$82  = { \total$83 [7], \total$83  };
+  assign \a$84  = { lanes[14], lanes[14], lanes[14:8] };
+  assign \b$85  = { \lanes$69 [14], \lanes$69 [14], \lanes$69 [14:8] };
+  assign \c$86  = { \lanes$71 [14], \lanes$71 [14], \lanes$71 [14:8] };
+  assign \a$87  = { \lanes$73 [14], \lanes$73 [14], \lanes$73 [14:8] };
+  assign \b$88  = { \lanes$75 [14], \lanes$75 [14], \lanes$75 [14:8] };
+  assign \c$89  = { \lanes$77 [14], \lanes$77 [14], \lanes$77 [14:8] };
+  assign \a$90  = { \lanes$79 [14], \lanes$79 [14], \lanes$79 [14], \lanes$79 [14:8] };
+  assign \b$91  = { \lanes$81 [14], \lanes$81 [14], \lanes$81 [14], \lanes$81 [14:8] };
+  assign \c$92  = { \total$93 [8], \total$93  };
+  assign \a$94  = { lanes[23], lanes[23:16] };
+  assign \b$95  = { \lanes$69 [23], \lanes$69 [23:16] };
+  assign \c$96  = { \lanes$71 [23], \lanes$71 [23:16] };
+  assign \a$97  = { \lanes$73 [23], \lanes$73 [23:16] };
+  assign \b$98  = { \lanes$75 [23], \lanes$75 [23:16] };
+  assign \c$99  = { \lanes$77 [23], \lanes$77 [23:16] };
+  assign \a$100  = { \lanes$79 [23], \lanes$79 [23], \lanes$79 [23:16] };
+  assign \b$101  = { \lanes$81 [23], \lanes$81 [23], \lanes$81 [23:16] };
+  assign \c$102  = { \total$103 [8], \total$103  };
+  assign \a$104  = { lanes[31], lanes[31:24] };
+  assign \b$105  = { \lanes$69 [31], \lanes$69 [31:24] };
+  assign \c$106  = { \lanes$71 [31], \lanes$71 [31:24] };
+  assign \a$107  = { \lanes$73 [31], \lanes$73 [31:24] };
+  assign \b$108  = { \lanes$75 [31], \lanes$75 [31:24] };
+  assign \c$109  = { \lanes$77 [31], \lanes$77 [31:24] };
+  assign \a$110  = { \lanes$79 [31], \lanes$79 [31], \lanes$79 [31:24] };
+  assign \b$111  = { \lanes$81 [31], \lanes$81 [31], \lanes$81 [31:24] };
+  assign \c$112  = { \total$113 [8], \total$113  };
+  assign \a$114  = { lanes[38], lanes[38], lanes[38:32] };
+  assign \b$115  = { \lanes$69 [38], \lanes$69 [38], \lanes$69 [38:32] };
+  assign \c$116  = { \lanes$71 [38], \lanes$71 [38], \lanes$71 [38:32] };
+  assign \a$117  = { \lanes$73 [38], \lanes$73 [38], \lanes$73 [38:32] };
+  assign \b$118  = { \lanes$75 [38], \lanes$75 [38], \lanes$75 [38:32] };
+  assign \c$119  = { \lanes$77 [38], \lanes$77 [38], \lanes$77 [38:32] };
+  assign \a$120  = { \lanes$79 [38], \lanes$79 [38], \lanes$79 [38], \lanes$79 [38:32] };
+  assign \b$121  = { \lanes$81 [38], \lanes$81 [38], \lanes$81 [38], \lanes$81 [38:32] };
+  assign \c$122  = { \total$123 [8], \total$123  };
+  assign \a$124  = { lanes[45], lanes[45], lanes[45:40] };
+  assign \b$125  = { \lanes$69 [45], \lanes$69 [45], \lanes$69 [45:40] };
+  assign \c$126  = { \lanes$71 [45], \lanes$71 [45], \lanes$71 [45:40] };
+  assign \a$127  = { \lanes$73 [45], \lanes$73 [45], \lanes$73 [45:40] };
+  assign \b$128  = { \lanes$75 [45], \lanes$75 [45], \lanes$75 [45:40] };
+  assign \c$129  = { \lanes$77 [45], \lanes$77 [45], \lanes$77 [45:40] };
+  assign \a$130  = { \lanes$79 [45], \lanes$79 [45], \lanes$79 [45], \lanes$79 [45:40] };
+  assign \b$131  = { \lanes$81 [45], \lanes$81 [45], \lanes$81 [45], \lanes$81 [45:40] };
+  assign \c$132  = { \total$133 [7], \total$133  };
+  assign \a$134  = acc0;
+  assign \b$135  = { sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0[7], sum0_0 };
+  assign \c$136  = { sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1[8], sum0_1 };
+  assign d = \$signature__data ;
+  assign write__addr = { 1'h0, \$signal [8:5] };
   assign write__en = done;
-  assign \a$140  = acc1;
-  assign \b$141  = { sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0 };
-  assign \c$142  = { sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1 };
-  assign \$signature__data$145  = \d$144 ;
-  assign \write__addr$146  = { 1'h0, \$signal [7:4] };
+  assign \a$141  = acc1;
+  assign \b$142  = { sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0[8], sum1_0 };
+  assign \c$143  = { sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1[9], sum1_1 };
+  assign \d$145  = \$signature__data$49 ;
+  assign \write__addr$146  = { 1'h0, \$signal [8:5] };
   assign \write__en$147  = done;
   assign \a$148  = acc2;
   assign \b$149  = { sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0[8], sum2_0 };
@@ -1069,9 +1083,11 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   assign \write__data$161  = \total$45 ;
   assign \control.en  = control[0];
   assign \control.first  = control[1];
-  assign \control.last  = control[2];
-  assign \control.edge  = control[3];
-  assign \control.tile  = control[7:4];
+  assign \control.carried  = control[2];
+  assign \control.last  = control[3];
+  assign \control.edge  = control[4];
+  assign \control.tile  = control[8:5];
+  assign \control.unload  = control[9];
   assign \chain_i[0]  = chain_i[18:0];
   assign \chain_i[1]  = chain_i[37:19];
   assign \chain_i[2]  = chain_i[56:38];
@@ -1082,9 +1098,11 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   assign \chain_o[3]  = chain_o[75:57];
   assign \$signal.en  = \$signal [0];
   assign \$signal.first  = \$signal [1];
-  assign \$signal.last  = \$signal [2];
-  assign \$signal.edge  = \$signal [3];
-  assign \$signal.tile  = \$signal [7:4];
+  assign \$signal.carried  = \$signal [2];
+  assign \$signal.last  = \$signal [3];
+  assign \$signal.edge  = \$signal [4];
+  assign \$signal.tile  = \$signal [8:5];
+  assign \$signal.unload  = \$signal [9];
   assign \result[0]  = chain_o[18:0];
   assign \result[1]  = chain_o[37:19];
   assign \result[2]  = chain_o[56:38];
@@ -1096,67 +1114,61 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   assign \pixels[1]  = activations[26:24];
   assign \pixels[2]  = activations[50:48];
   assign \pixels[3]  = activations[74:72];
-  assign \taps$50[0]  = \weight$8 [11:9];
-  assign \taps$50[1]  = \weight$8 [14:12];
-  assign \taps$50[2]  = \weight$8 [17:15];
-  assign \pixels$51[0]  = activations[5:3];
-  assign \pixels$51[1]  = activations[29:27];
-  assign \pixels$51[2]  = activations[53:51];
-  assign \pixels$51[3]  = activations[77:75];
-  assign \taps$52[0]  = \weight$8 [20:18];
-  assign \taps$52[1]  = \weight$8 [23:21];
-  assign \taps$52[2]  = \weight$8 [26:24];
-  assign \pixels$53[0]  = activations[8:6];
-  assign \pixels$53[1]  = activations[32:30];
-  assign \pixels$53[2]  = activations[56:54];
-  assign \pixels$53[3]  = activations[80:78];
-  assign \taps$54[0]  = \weight$8 [29:27];
-  assign \taps$54[1]  = \weight$8 [32:30];
-  assign \taps$54[2]  = \weight$8 [35:33];
-  assign \pixels$55[0]  = activations[11:9];
-  assign \pixels$55[1]  = activations[35:33];
-  assign \pixels$55[2]  = activations[59:57];
-  assign \pixels$55[3]  = activations[83:81];
-  assign \taps$56[0]  = \weight$8 [38:36];
-  assign \taps$56[1]  = \weight$8 [41:39];
-  assign \taps$56[2]  = \weight$8 [44:42];
-  assign \pixels$57[0]  = activations[14:12];
-  assign \pixels$57[1]  = activations[38:36];
-  assign \pixels$57[2]  = activations[62:60];
-  assign \pixels$57[3]  = activations[86:84];
-  assign \taps$58[0]  = \weight$8 [47:45];
-  assign \taps$58[1]  = \weight$8 [50:48];
-  assign \taps$58[2]  = \weight$8 [53:51];
-  assign \pixels$59[0]  = activations[17:15];
-  assign \pixels$59[1]  = activations[41:39];
-  assign \pixels$59[2]  = activations[65:63];
-  assign \pixels$59[3]  = activations[89:87];
-  assign \taps$60[0]  = \weight$8 [56:54];
-  assign \taps$60[1]  = \weight$8 [59:57];
-  assign \taps$60[2]  = \weight$8 [62:60];
-  assign \pixels$61[0]  = activations[20:18];
-  assign \pixels$61[1]  = activations[44:42];
-  assign \pixels$61[2]  = activations[68:66];
-  assign \pixels$61[3]  = activations[92:90];
-  assign \taps$62[0]  = \weight$8 [65:63];
-  assign \taps$62[1]  = \weight$8 [68:66];
-  assign \taps$62[2]  = \weight$8 [71:69];
-  assign \pixels$63[0]  = activations[23:21];
-  assign \pixels$63[1]  = activations[47:45];
-  assign \pixels$63[2]  = activations[71:69];
-  assign \pixels$63[3]  = activations[95:93];
+  assign \taps$52[0]  = \weight$8 [11:9];
+  assign \taps$52[1]  = \weight$8 [14:12];
+  assign \taps$52[2]  = \weight$8 [17:15];
+  assign \pixels$53[0]  = activations[5:3];
+  assign \pixels$53[1]  = activations[29:27];
+  assign \pixels$53[2]  = activations[53:51];
+  assign \pixels$53[3]  = activations[77:75];
+  assign \taps$54[0]  = \weight$8 [20:18];
+  assign \taps$54[1]  = \weight$8 [23:21];
+  assign \taps$54[2]  = \weight$8 [26:24];
+  assign \pixels$55[0]  = activations[8:6];
+  assign \pixels$55[1]  = activations[32:30];
+  assign \pixels$55[2]  = activations[56:54];
+  assign \pixels$55[3]  = activations[80:78];
+  assign \taps$56[0]  = \weight$8 [29:27];
+  assign \taps$56[1]  = \weight$8 [32:30];
+  assign \taps$56[2]  = \weight$8 [35:33];
+  assign \pixels$57[0]  = activations[11:9];
+  assign \pixels$57[1]  = activations[35:33];
+  assign \pixels$57[2]  = activations[59:57];
+  assign \pixels$57[3]  = activations[83:81];
+  assign \taps$58[0]  = \weight$8 [38:36];
+  assign \taps$58[1]  = \weight$8 [41:39];
+  assign \taps$58[2]  = \weight$8 [44:42];
+  assign \pixels$59[0]  = activations[14:12];
+  assign \pixels$59[1]  = activations[38:36];
+  assign \pixels$59[2]  = activations[62:60];
+  assign \pixels$59[3]  = activations[86:84];
+  assign \taps$60[0]  = \weight$8 [47:45];
+  assign \taps$60[1]  = \weight$8 [50:48];
+  assign \taps$60[2]  = \weight$8 [53:51];
+  assign \pixels$61[0]  = activations[17:15];
+  assign \pixels$61[1]  = activations[41:39];
+  assign \pixels$61[2]  = activations[65:63];
+  assign \pixels$61[3]  = activations[89:87];
+  assign \taps$62[0]  = \weight$8 [56:54];
+  assign \taps$62[1]  = \weight$8 [59:57];
+  assign \taps$62[2]  = \weight$8 [62:60];
+  assign \pixels$63[0]  = activations[20:18];
+  assign \pixels$63[1]  = activations[44:42];
+  assign \pixels$63[2]  = activations[68:66];
+  assign \pixels$63[3]  = activations[92:90];
+  assign \taps$64[0]  = \weight$8 [65:63];
+  assign \taps$64[1]  = \weight$8 [68:66];
+  assign \taps$64[2]  = \weight$8 [71:69];
+  assign \pixels$65[0]  = activations[23:21];
+  assign \pixels$65[1]  = activations[47:45];
+  assign \pixels$65[2]  = activations[71:69];
+  assign \pixels$65[3]  = activations[95:93];
   assign \lanes[0]  = lanes[7:0];
   assign \lanes[1]  = lanes[15:8];
   assign \lanes[2]  = lanes[23:16];
   assign \lanes[3]  = lanes[31:24];
   assign \lanes[4]  = lanes[39:32];
   assign \lanes[5]  = lanes[47:40];
-  assign \lanes$67[0]  = \lanes$67 [7:0];
-  assign \lanes$67[1]  = \lanes$67 [15:8];
-  assign \lanes$67[2]  = \lanes$67 [23:16];
-  assign \lanes$67[3]  = \lanes$67 [31:24];
-  assign \lanes$67[4]  = \lanes$67 [39:32];
-  assign \lanes$67[5]  = \lanes$67 [47:40];
   assign \lanes$69[0]  = \lanes$69 [7:0];
   assign \lanes$69[1]  = \lanes$69 [15:8];
   assign \lanes$69[2]  = \lanes$69 [23:16];
@@ -1193,6 +1205,12 @@ module macram_unit(activations, control, shift, chain_i, clk, rst, chain_o, weig
   assign \lanes$79[3]  = \lanes$79 [31:24];
   assign \lanes$79[4]  = \lanes$79 [39:32];
   assign \lanes$79[5]  = \lanes$79 [47:40];
+  assign \lanes$81[0]  = \lanes$81 [7:0];
+  assign \lanes$81[1]  = \lanes$81 [15:8];
+  assign \lanes$81[2]  = \lanes$81 [23:16];
+  assign \lanes$81[3]  = \lanes$81 [31:24];
+  assign \lanes$81[4]  = \lanes$81 [39:32];
+  assign \lanes$81[5]  = \lanes$81 [47:40];
 endmodule
 
 module \macram_unit.engine0 (\port$0$98 , \port$0$122 , \port$0$146 , clk, rst, taps, lanes, \port$0$74 );

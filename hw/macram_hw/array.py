@@ -144,9 +144,9 @@ class Array(wiring.Component):
             info_next = Signal.like(info, name=f"info{stage}", reset_less=True)
             m.d.sync += [control_next.eq(control), info_next.eq(info)]
             control, info = control_next, info_next
-        m.d.comb += [drain.finished.eq(control.en & control.last), drain.info.eq(info)]
+        m.d.comb += [drain.finished.eq((control.en & control.last) | control.unload), drain.info.eq(info)]
 
-        # ---- units, chained so that chain q brings channels q, q + drain, ... to its head ----------------
+        # ---- units, chained in rings; ring q brings channels q, q + drain, ... to its head ---------------
         if config.paired_rows:
             m.submodules.interleaver = interleaver = Interleaver(config)
             m.d.comb += interleaver.word.eq(lines.word)
@@ -165,8 +165,7 @@ class Array(wiring.Component):
                 m.d.comb += [unit.pixels_2x.eq(interleaver.pixels), unit.second.eq(interleaver.second)]
             if index < config.drain:
                 m.d.comb += drain.heads[index].eq(unit.chain_o)
-            if index + config.drain < config.units:
-                m.d.comb += unit.chain_i.eq(units[index + config.drain].chain_o)
+            m.d.comb += unit.chain_i.eq(units[(index + config.drain) % config.units].chain_o)
 
         self._counters(m, start, sequencer, last_beat)
         return m

@@ -4,7 +4,7 @@ from amaranth.hdl import Array, Cat, Const, Module, Mux, Signal
 from amaranth.lib import data, memory, stream, wiring
 from amaranth.lib.wiring import In, Out
 
-from macram.spec import GROUP, ArrayConfig
+from macram.spec import GROUP, TAPS, ArrayConfig
 from macram.spec.array import SECTIONS
 from macram_hw.engine import hdl_shape
 from macram_hw.gearbox import PixelWord
@@ -28,13 +28,17 @@ class RequantWrite(data.StructLayout):
 class Drain(wiring.Component):
     """Requantises finished sums, ``drain`` channels x 4 pixels per cycle, and puts them in pixel order.
 
-    One (group, tile) takes ``drain_cycles`` cycles. The output buffer is a ring of ``SECTIONS`` groups; a
+    One (group, tile) takes ``drain_cycles`` cycles. Of a triple the result registers hold two pixels of three tiles:
+    the sum's round requantises the first tile, two more the others once the carried lanes have been moved; the chains
+    are rings, so a round leaves them as they were. Codes of the outer two pixels wait for those of the inner two.
+    The output buffer is a ring of ``SECTIONS`` groups; a
     group starts draining only when its section is free, and then never stops, so the credit can be given back
     early: `credit_at` cycles into the drain.
 
     Members:
         shape, requant_base: In, constant during a run.
-        finished, info: In, strobe when the result registers have been loaded, and for which group.
+        finished, info: In, strobe when the result registers have been loaded, with a sum or with carried lanes, and for
+            which group.
         heads: In, accumulators at the head of the ``drain`` chains. shift: Out, to all units.
         credit: Out, strobe to the sequencer.
         write_en, write: In, parameter reload.
@@ -80,17 +84,21 @@ class Drain(wiring.Component):
         # ---- when to drain ------------------------------------------------------------------------------
         pending, busy, section = Signal(), Signal(), Signal(range(SECTIONS))
         occupied, filled = Signal(SECTIONS), Signal(SECTIONS)
-        index = Signal(index_bits)
+        # Carried lanes take two rounds; the top bit tells them apart.
+        index = Signal(index_bits + 1)
         waiting, current, info = (
             Signal(GroupInfo(config), name=n) for n in ("waiting", "current", "info_now")
         )
-        begin, active, last_cycle = Signal(), Signal(), Signal()
-        group_start, free = Signal(), Signal()
+        begin, active, last_cycle, credit = Signal(), Signal(), Signal(), Signal()
+        group_start, free, round_last, group_last_cycle = Signal(), Signal(), Signal(), Signal()
         m.d.comb += [
-            group_start.eq(waiting.tile == 0),
+            group_start.eq((waiting.tile == 0) & ~waiting.inner & ~waiting.unloaded),
             free.eq(~group_start | ~occupied.bit_select(section, 1)),
             info.eq(Mux(busy, current, waiting)),
-            last_cycle.eq(active & (index == cycles - 1)),
+            round_last.eq(index[-1] | ~info.unloaded),
+            last_cycle.eq(active & (index[:-1] == cycles - 1) & round_last),
+            group_last_cycle.eq(last_cycle & info.tile_last & (info.unloaded | ~info.triple)),
+            credit.eq(active & (index[:-1] == self.credit_at) & round_last),
             self.shift.eq(active),
         ]
         if config.partial_sum_c_in:
@@ -99,14 +107,14 @@ class Drain(wiring.Component):
             m.d.comb += [
                 can.eq(busy | (pending & free)),
                 begin.eq(active & ~busy),
-                self.credit.eq(Mux(self.takes | gives, last_cycle, active & (index == self.credit_at))),
+                self.credit.eq(Mux(self.takes | gives, last_cycle, credit)),
             ]
         else:
             gives, summed = Const(0), self.heads
             m.d.comb += [
                 begin.eq(pending & ~busy & free),
                 active.eq(busy | begin),
-                self.credit.eq(active & (index == self.credit_at)),
+                self.credit.eq(credit),
             ]
         with m.If(self.finished):
             m.d.sync += [pending.eq(1), waiting.eq(self.info)]
@@ -118,7 +126,7 @@ class Drain(wiring.Component):
             m.d.sync += current.eq(waiting)
             with m.If(group_start & ~gives):
                 m.d.sync += occupied.bit_select(section, 1).eq(1)
-        with m.If(last_cycle & info.tile_last):
+        with m.If(group_last_cycle):
             m.d.sync += section.eq(section + 1)
 
         # ---- requantise ---------------------------------------------------------------------------------
@@ -131,15 +139,24 @@ class Drain(wiring.Component):
         read, reload = parameters.read_port(), parameters.write_port()
         m.submodules.requant = requant = Requantiser(config)
         heads = Signal.like(summed, name="heads", reset_less=True)
+        # Which round of a triple: its first pixel lies in that slot, the second one beside it in slot 3, 0, 3.
+        turn, tile = Signal(2), Signal.like(info.tile)
         m.d.comb += [
+            turn.eq(Mux(info.unloaded, 1 + index[-1], 0)),
+            tile.eq(info.tile + turn),
             reload.addr.eq(self.write.addr),
             reload.data.eq(self.write.data),
             reload.en.eq(self.write_en),
-            read.addr.eq(Cat(index, info.tile) + self.requant_base),
+            read.addr.eq(Cat(index[:-1], tile) + self.requant_base),
             requant.parameters.eq(read.data),
             requant.accumulators.eq(heads),
         ]
         m.d.sync += [heads.eq(summed), requant.edge.eq(info.edge)]
+        with m.If(info.unloaded):
+            for head, chain in zip(heads, self.heads, strict=True):
+                m.d.sync += head[0].eq(Mux(index[-1], chain[2], chain[1]))
+                with m.If(~index[-1]):
+                    m.d.sync += head[GROUP - 1].eq(chain[0])
 
         # ---- output buffer: written 4 pixels at a time, read one ----------------------------------------
         write_bits = GROUP * config.drain * config.output.bits
@@ -151,23 +168,39 @@ class Drain(wiring.Component):
         put = buffer.write_port(granularity=write_bits)
         get = buffer.read_port()
         delay = 1 + Requantiser.LATENCY
-        address = Cat(index[2:], info.tile)[:word_bits] if word_bits else Signal(0)
+        address = Cat(index[2:-1], tile)[:word_bits] if word_bits else Signal(0)
         at = [
             Cat(address, section),
             index[:2],
             active,
-            last_cycle & info.tile_last & ~gives,
+            group_last_cycle & ~gives,
             info.slots,
             info.image_last,
+            Cat(index[:-1], turn),
+            info.triple,
+            info.inner,
         ]
         for _ in range(delay):
             stage = [Signal(len(value), reset_less=i not in (2, 3)) for i, value in enumerate(at)]
             m.d.sync += [register.eq(value) for register, value in zip(stage, at, strict=True)]
             at = stage
-        put_address, put_lane, put_en, group_complete, put_slots, put_image_last = at
+        put_address, put_lane, put_en, group_complete, put_slots, put_image_last, place, triple, inner = at
+
+        # ---- codes of a triple's outer two pixels wait for the inner two, and are put together with them -
+        lane_bits = config.drain * config.output.bits
+        m.submodules.outer = outer = memory.Memory(shape=2 * lane_bits, depth=TAPS << index_bits, init=[])
+        keep, kept = outer.write_port(), outer.read_port(domain="comb")
+        codes = [requant.codes[slot * lane_bits : (slot + 1) * lane_bits] for slot in range(GROUP)]
+        outer_left, outer_right = kept.data[:lane_bits], kept.data[lane_bits:]
+        pixels = Signal(GROUP * lane_bits)
         m.d.comb += [
+            keep.addr.eq(place),
+            keep.data.eq(Cat(codes[0], codes[-1])),
+            keep.en.eq(put_en & triple & ~inner),
+            kept.addr.eq(place),
+            pixels.eq(Mux(triple, Cat(outer_left, codes[0], codes[-1], outer_right), requant.codes)),
             put.addr.eq(put_address),
-            put.data.eq(requant.codes.replicate(GROUP)),
+            put.data.eq(pixels.replicate(GROUP)),
             put.en.eq(Mux(put_en, 1 << put_lane, 0)),
         ]
 
@@ -218,7 +251,6 @@ class Drain(wiring.Component):
             ]
 
         # A memory word is [drain cycle mod 4][slot][channel]; a pixel's word takes its slot out of all four.
-        lane_bits = config.drain * config.output.bits
         with m.Switch(slot_read):
             for s in range(GROUP):
                 with m.Case(s):

@@ -17,6 +17,7 @@ class LineRead(data.StructLayout):
     """A read: row ``slot``, word ``address`` in its bank, ``bank``, and which of the 4 pixels are real.
 
     With stride 2 a column is a pair of pixels: the words of the even one, then those of the odd one.
+    ``apart`` leaves the outer two of the 4 places, where ``inner`` puts the inner two pixels; ``mask`` counts places.
     """
 
     def __init__(self, config: ArrayConfig):
@@ -25,6 +26,8 @@ class LineRead(data.StructLayout):
             "address": (config.row_words // config.ingest - 1).bit_length() or 1,
             "bank": (config.ingest - 1).bit_length() or 1,
             "mask": GROUP,
+            "apart": 1,
+            "inner": 1,
         })  # fmt: skip
 
 
@@ -35,7 +38,8 @@ class LineBuffer(wiring.Component):
     written once the group four rows above it is retired; for 3x3 kernels row -1, the padding, holds a slot
     like any other. Read latency is `LATENCY` cycles, throughput one word per cycle; pixels that
     ``mask`` leaves out read as 0, which is the zero padding. Where ``shape.biased`` the top bit of every code
-    is flipped behind the mask: signed codes, and the padding with them, rise by half their range.
+    is flipped behind the mask: signed codes, and the padding with them, rise by half their range; the two places
+    that ``apart`` empties stay 0.
 
     Members:
         start: In, begin an image. shape: In, constant during a run.
@@ -123,15 +127,21 @@ class LineBuffer(wiring.Component):
 
         # ---- read side: pick the bank, blank the padding ------------------------------------------------
         bank, mask = Signal.like(self.read.bank), Signal(GROUP)
-        m.d.sync += [bank.eq(self.read.bank), mask.eq(self.read.mask)]
+        apart, inner = Signal(), Signal()
+        m.d.sync += [
+            bank.eq(self.read.bank), mask.eq(self.read.mask),
+            apart.eq(self.read.apart), inner.eq(self.read.inner),
+        ]  # fmt: skip
         picked = Signal(config.line_word_bits)
         with m.Switch(bank):
             for index, value in enumerate(words):
                 with m.Case(index):
                     m.d.comb += picked.eq(value)
         half = sum(1 << (i * config.input.bits - 1) for i in range(1, config.rows + 1))
-        raised = Mux(shape.biased, half, 0)
-        for pixel in range(GROUP):
-            at = slice(pixel * block_bits, (pixel + 1) * block_bits)
-            m.d.sync += self.word[at].eq(Mux(mask[pixel], picked[at], 0) ^ raised)
+        pixels = [picked[at * block_bits : (at + 1) * block_bits] for at in range(GROUP)]
+        places = [Mux(inner, pixels[1], pixels[0]), *pixels[1:3], Mux(inner, pixels[2], pixels[3])]
+        for place, pixel in enumerate(places):
+            raised = shape.biased if place in (0, GROUP - 1) else shape.biased & ~apart
+            at = slice(place * block_bits, (place + 1) * block_bits)
+            m.d.sync += self.word[at].eq(Mux(mask[place], pixel, 0) ^ Mux(raised, half, 0))
         return m

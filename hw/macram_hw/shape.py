@@ -23,6 +23,7 @@ class LayerShape(data.StructLayout):
         tiles: output-channel tiles; output_words: output-buffer words per pixel.
         beats_in, beats_out: stream beats per pixel.
         pointwise: the kernel is 1x1, else 3x3. halved: the stride is 2, else 1.
+        packed: output-channel tiles come in threes that are computed together, see `ArrayConfig.triples`.
         biased: signed input codes are raised by half their range.
         residual: the residual adder is in use. out_width: columns of the output. beats_residual: its stream
             beats per output pixel.
@@ -32,7 +33,7 @@ class LayerShape(data.StructLayout):
         super().__init__({
             "height": 16, "width": 16, "out_height": 16, "groups": 15, "tail": 2, "blocks": 14,
             "ingest_words": 14, "column_words": 15, "tiles": 12, "output_words": 12, "beats_in": 16,
-            "beats_out": 16, "pointwise": 1, "halved": 1, "biased": 1,
+            "beats_out": 16, "pointwise": 1, "halved": 1, "packed": 1, "biased": 1,
             "residual": 1, "out_width": 16, "beats_residual": 16,
         })  # fmt: skip
 
@@ -70,13 +71,14 @@ class ShapeDecoder(wiring.Component):
         config, shape = self._config, self.shape
         m = Module()
         blocks, ingest_words = Signal(14), Signal(14)
-        tiles = Signal(12)
-        columns, halved = Signal(32), Signal()
+        tiles, places = Signal(12), Signal(12)
+        columns, halved, packed = Signal(32), Signal(), Signal()
         m.d.comb += [
             blocks.eq(ceil_div_constant(self.c_in, config.rows, config.max_c_in)),
             ingest_words.eq(_ceil_log2_div(blocks, config.ingest)),
             tiles.eq(_ceil_log2_div(self.c_out, config.units)),
             halved.eq(self.mode[9]),
+            packed.eq(~self.mode[1] & (blocks >= config.triple_blocks) & (tiles >= TAPS)),
             columns.eq(Mux(halved, self.width[1:] + self.width[0], self.width)),
         ]
         m.d.sync += [
@@ -94,6 +96,8 @@ class ShapeDecoder(wiring.Component):
             shape.beats_out.eq(_ceil_log2_div(self.c_out * config.output.bits, config.stream_bits)),
             shape.pointwise.eq(~self.mode[1]),
             shape.halved.eq(halved),
+            shape.packed.eq(packed),
+            places.eq(tiles - Mux(packed, (TAPS - 1) * self._triples(tiles), 0)),
             shape.biased.eq(self.mode[MODE_BIASED]),
         ]
         if config.residual_stream_bits:
@@ -104,14 +108,18 @@ class ShapeDecoder(wiring.Component):
                     _ceil_log2_div(self.c_out * RESIDUAL.bits, config.residual_stream_bits)
                 ),
             ]
-        self._check(m)
+        self._check(m, places)
         return m
 
-    def _check(self, m):
+    def _triples(self, tiles):
+        """Threes of ``tiles``, of which there are at least two: ``floor(n / 3) = ceil((n - 2) / 3)``."""
+        return ceil_div_constant((tiles - (TAPS - 1))[: len(tiles)], TAPS, self._config.max_tiles)
+
+    def _check(self, m, places):
         """Two more stages: products and limits, then bases and the verdict."""
         config, shape = self._config, self.shape
         sums, weight_words = Signal(26), Signal(29)
-        m.d.comb += sums.eq(shape.tiles * shape.blocks)
+        m.d.comb += sums.eq(places * shape.blocks)
         with m.If(shape.pointwise):
             m.d.sync += weight_words.eq(sums)
         with m.Else():

@@ -19,16 +19,20 @@ class AccumulateControl(data.StructLayout):
 
     Fields:
         en: add the lane sums.
-        first: start from the carried lanes of this tile instead of from the running sums.
+        first: start from 0 instead of from the running sums, lanes 0 and 1 from what ``carried`` says.
+        carried: lanes 0 and 1 start from the carried lanes of this tile.
         last: the sums are complete: move pixels to the result registers, keep lanes 4 and 5 as carry.
         edge: first group of a row. Column -1 does not exist: lane 0 is ignored, and the result's slot 0 is
             the last column of the previous row, which only waited in the carry.
         tile: output-channel tile, selects the carry.
+        unload: nothing is added; the carried lanes of this tile go to result slots 0 and 3. Never with ``en``, and
+            only with ``carried``.
     """
 
     def __init__(self, config: ArrayConfig):
         super().__init__({
-            "en": 1, "first": 1, "last": 1, "edge": 1, "tile": max(1, (config.max_tiles - 1).bit_length()),
+            "en": 1, "first": 1, "carried": 1, "last": 1, "edge": 1,
+            "tile": max(1, (config.max_tiles - 1).bit_length()), "unload": 1,
         })  # fmt: skip
 
 
@@ -80,7 +84,7 @@ class UnitCore(wiring.Component):
             if there are paired rows, whose share of ``activations`` is not used then.
         control: In, `AccumulateControl`, `control_delay` cycles after the activations it belongs to.
         shift: In, load the result register from ``chain_i``.
-        chain_i, chain_o: the result register's neighbours; 4 accumulators, output column ``4 g - 1`` first.
+        chain_i, chain_o: the result register's neighbours; 4 accumulators, lane 0 first.
     """
 
     def __init__(self, config: ArrayConfig):
@@ -101,11 +105,11 @@ class UnitCore(wiring.Component):
         m.d.sync += control.eq(early)
         addends = [self._lane_sum(m, engines, k, early.edge if k == 0 else None) for k in range(LANES)]
 
-        # The running sums are 0 at the first step of a sum, where lanes 0 and 1 start from what was carried. At every
-        # other step the carry memory is read at a word that is always 0: that saves a multiplexer per bit.
+        # The running sums are 0 at the first step of a sum, where lanes 0 and 1 may start from what was carried. At
+        # every other step the carry memory is read at a word that is always 0: that saves a multiplexer per bit.
         done = Signal()
         m.d.comb += done.eq(control.en & control.last)
-        totals, kept = [], []
+        totals, kept, stored = [], [], []
         for k, (terms, carries) in enumerate(addends):
             running = Signal(acc, name=f"acc{k}")
             m.submodules[f"accumulate{k}"] = adder = Add3(acc.width, xilinx=config.xilinx)
@@ -125,7 +129,7 @@ class UnitCore(wiring.Component):
                 carried = memory.Memory(shape=acc, depth=config.max_tiles + 1, init=[])
                 m.submodules[f"carry{k}"] = carried
                 read, write = carried.read_port(domain="comb"), carried.write_port()
-                used = control.first & ~control.edge if k == 1 else control.first
+                used = control.carried & ~control.edge if k == 1 else control.carried
                 m.d.comb += [
                     read.addr.eq(Mux(used, control.tile, config.max_tiles)),
                     adder.d.eq(read.data),
@@ -133,13 +137,17 @@ class UnitCore(wiring.Component):
                     write.en.eq(done),
                 ]
                 kept.append(write)
+                stored.append(read.data)
         m.d.comb += [write.data.eq(total) for write, total in zip(kept, totals[GROUP:], strict=True)]
 
         result = Signal(data.ArrayLayout(acc, GROUP), reset_less=True)
         # One enable and one selection: written as two conditions it takes a second LUT per bit.
         with m.If(done | self.shift):
+            m.d.sync += [result[slot].eq(Mux(done, totals[slot], self.chain_i[slot])) for slot in (1, 2)]
+        with m.If(done | self.shift | control.unload):
             m.d.sync += [
-                result[slot].eq(Mux(done, totals[slot], self.chain_i[slot])) for slot in range(GROUP)
+                result[slot].eq(Mux(done, totals[slot], Mux(control.unload, value, self.chain_i[slot])))
+                for slot, value in zip((0, GROUP - 1), stored, strict=True)
             ]
         m.d.comb += self.chain_o.eq(result)
         return m

@@ -87,6 +87,14 @@ def _counted(seen: Observation, name: str) -> bool:
     return any(counters[name] > 0 for counters in seen.counters)
 
 
+def _in_triples(seen: Observation) -> bool:
+    return seen.array.triples(seen.spec) > 0
+
+
+def _packs(array: ArrayConfig) -> bool:
+    return array.max_tiles >= TAPS and array.blocks(array.max_c_in) >= array.pair_drain
+
+
 def _shapes() -> Iterable[Bin]:
     for kernel, stride in ((3, 1), (3, 2), (1, 1)):
         yield Bin(
@@ -121,6 +129,19 @@ def _shapes() -> Iterable[Bin]:
         Bin("most input channels", "largest fan-in and longest sums", lambda s: s.spec.c_in == s.array.max_c_in),
         Bin("one tile", "no tile order to get wrong", lambda s: s.tiles == 1),
         Bin("several tiles", "carry and weights per tile", lambda s: s.tiles > 1, lambda a: a.max_tiles > 1),
+        Bin("three tiles together", "two sums in the place of three", _in_triples, _packs),
+        Bin(
+            "tiles left over behind three", "sums of both kinds in one group",
+            lambda s: _in_triples(s) and s.tiles % TAPS > 0, _packs,
+        ),
+        Bin(
+            "three tiles in a last group that is part-filled", "its missing pixels are dropped",
+            lambda s: _in_triples(s) and s.spec.out_width % GROUP > 0, _packs,
+        ),
+        Bin(
+            "three tiles with a step to spare", "the carried lanes move between two steps",
+            lambda s: _in_triples(s) and s.blocks >= s.array.pair_drain, _packs,
+        ),
         Bin("last tile part-filled", "its missing channels are dropped", lambda s: s.spec.c_out % s.array.units != 0),
         Bin("last tile full", "every unit's result leaves", lambda s: s.spec.c_out % s.array.units == 0),
         Bin("most output channels", "the whole requantiser memory", lambda s: s.spec.c_out == s.array.max_c_out),

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from macram.spec import (
     GROUP,
     RESIDUAL,
+    TAPS,
     ArrayConfig,
     ConvSpec,
     IntFormat,
@@ -18,9 +19,8 @@ from macram.spec import (
     ceil_div,
     layer_passes,
 )
+from macram.spec.array import DECISION_TO_RESULT
 
-DECISION_TO_RESULT = 5
-"""Cycles from the decision of a compute step to its sum in the result registers, without the row engine's."""
 RESULT_TO_OUTPUT = 5
 """Cycles from the last drained word to the first word in the output gearbox."""
 RESIDUAL_LATENCY = 2
@@ -35,10 +35,12 @@ class CycleEstimate:
 
     Attributes:
         fill: before the first compute step: pixels for one row and one group more must arrive.
-        mac: compute steps, ``out_height * groups * tiles * kernel * phases * blocks``.
+        mac: compute steps, ``out_height * groups * tiles * kernel * phases * blocks``; three tiles that are computed
+            together count as two.
         stall: between compute steps. If a sum has fewer steps than it takes to drain, on the streams of partial sums
-            if they are used, the drain is waited for; if another stream is the limit, that stream. The array books a
-            wait under the first cause it meets, so only the sum of INPUT_STALLS and OUTPUT_STALLS is foretold.
+            if they are used, the drain is waited for; a sum of three tiles always takes one cycle more. If another
+            stream is the limit, that stream. The array books a wait under the first cause it meets, so only the sum
+            of INPUT_STALLS and OUTPUT_STALLS is foretold.
         drain: after the last compute step.
         limited_by: ``"compute"``, or ``"input"``/``"output"`` if a stream is slower than the engines; ``"sums"`` if
             the first partial sums come later than what they are added to.
@@ -108,23 +110,30 @@ def estimate(
     fill = pixel_in * pixels_needed + WRITTEN_TO_DECISION - (pixels_needed == pixels)
 
     to_result = DECISION_TO_RESULT + array.engine_latency
-    to_drained, drain_period = array.drain_cycles, max(array.drain_cycles, to_result + 1)
+    to_drained, drain_period = array.drain_cycles, array.drain_period
     if sums_in or sums_out:
         # Each word of sums takes its beats and a cycle; the next sum may be finished once the last is drained.
         word = array.sum_word_beats + 1
         to_drained = (array.drain_cycles - 1) * word + 1
         drain_period = max(to_result + to_drained, array.drain_cycles * word)
-    period = max(steps, drain_period)
+    period, pair_period = max(steps, drain_period), max(steps + 1, array.pair_drain)
     out_groups = layer.out_height * groups
-    sums = out_groups * tiles
-    mac = sums * steps
-    stall = (sums - 1) * (period - steps)
+    # Of three tiles that are computed together each sum is one of two pixels.
+    triples = array.triples(layer)
+    pairs, singles = 2 * triples, tiles - TAPS * triples
+    last_period = period if singles else pair_period
+    group_period = pairs * pair_period + singles * period
+    mac = out_groups * (pairs + singles) * steps
+    stall = out_groups * group_period - mac - (last_period - steps)
 
     adder = RESIDUAL_LATENCY if array.residual_stream_bits else 0
     to_output = to_result + to_drained + RESULT_TO_OUTPUT + adder
     if sums_out:
         drain = (0 if tail else tiles * drain_period) + to_result + to_drained + array.sum_word_beats - 1
         pixel_out = 0
+    elif triples:
+        rounds = 0 if singles else drain_period + array.drain_cycles
+        drain = to_output + rounds + (tail or GROUP) * pixel_out
     elif tail:
         # The last group's reading: the first of its slots is skipped if the row has no group before it.
         drain = to_output + (groups == 1) + (tail + (groups > 1)) * pixel_out
@@ -141,16 +150,18 @@ def estimate(
     waits_for_row = rows_above and (layer.stride == 1 or layer.height % 2)
     groups_after = groups * bool(waits_for_row) + (layer.stride == 1 or not waits_for_row)
     limits = {
-        "input": pixel_in * rows_used * layer.width + groups_after * tiles * period + drain,
-        "output": fill + (tiles - 1) * period + steps + to_output + pixels_out * pixel_out,
+        "input": pixel_in * rows_used * layer.width + groups_after * group_period + drain,
+        "output": fill + group_period - last_period + steps + to_output + pixels_out * pixel_out,
     }
     group_cycles = {"input": group_in * layer.stride * pixel_in, "output": GROUP * pixel_out}
     limited_by = "compute"
+    # Behind a triple the cycle for its carried lanes falls into the next group, which so asks for pixels before that.
+    early = not singles
     if late := _late_row_cycles(layer, array, period):
         # The last row may lack the late one.
         limited_by = "input"
         limits["input"] = max(limits["input"], compute + late * (layer.height // 2 - 1))
-    elif out_groups > 1 and max(group_cycles.values()) > tiles * period:
+    elif out_groups > 1 and max(group_cycles.values()) > group_period - early:
         limited_by = max(group_cycles, key=lambda stream: group_cycles[stream])
     if sums_in and array.sum_word_beats >= fill + steps + to_result:
         limited_by = "sums"

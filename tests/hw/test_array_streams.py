@@ -12,7 +12,7 @@ from macram.golden import random_case, run_layer
 from macram.pack import pack_layer
 from macram.perf import estimate
 from macram.spec import ArrayConfig, Control, ConvSpec, Error, IntFormat, StreamLayout
-from macram.spec.registers import MODE_3X3
+from macram.spec.registers import MODE_3X3, mode_word
 from macram_hw.array import COUNTERS, Array
 
 SEED = int(os.environ.get("SEED") or 2022)
@@ -26,7 +26,9 @@ SMALL = {
     "row_words": 8,
     "stream_bits": 32,
 }
+DEEP = SMALL | {"rows": 1, "max_c_in": 14, "max_c_out": 16, "weight_depth": 42, "row_words": 28}
 ARRAYS = {
+    "triples": ArrayConfig(**DEEP),
     "portable": ArrayConfig(**SMALL),
     "dsp48e2": ArrayConfig(**SMALL, engine="dsp48e2"),
     "8-bit": ArrayConfig(
@@ -46,14 +48,15 @@ class Bench:
         self.dut = ResetInserter(self.reset)(self.core)
         spec = layer.spec
         self.packed = pack_layer(layer, array)
-        self.beats_in = values(StreamLayout(spec.c_in, array.input, array.stream_bits).pack(layer.input))
+        self.beats_in = values(StreamLayout(spec.c_in, spec.input, array.stream_bits).pack(layer.input))
         self.output = StreamLayout(spec.c_out, array.output, array.stream_bits)
         self.beats_out = spec.out_height * spec.out_width * self.output.beats_per_pixel
 
     async def command(self, ctx, command, **registers):
         spec = self.layer.spec
         shape = {"height": spec.height, "width": spec.width, "c_in": spec.c_in, "c_out": spec.c_out}
-        for name, value in {**shape, "mode": MODE_3X3, **registers}.items():
+        mode = mode_word(spec.kernel, spec.stride, spec.padding, biased=self.array.biased(spec))
+        for name, value in {**shape, "mode": mode, **registers}.items():
             ctx.set(getattr(self.core, name), value)
         ctx.set(self.core.command, command)
         await ctx.tick()
@@ -114,9 +117,10 @@ def with_last(beats):
 def test_two_images_after_a_load(name, shape, gap, stall):
     array = ARRAYS[name]
     form = {key: getattr(array, key) for key in ("weight", "input", "output")}
-    bench = Bench(array, random_case(ConvSpec(*shape, **form), SEED, "uniform"), gap, stall)
-    images = 2
+    run_images(Bench(array, random_case(ConvSpec(*shape, **form), SEED, "uniform"), gap, stall))
 
+
+def run_images(bench, images=2):
     async def source(ctx):
         await bench.load(ctx)
         for _ in range(images):
@@ -124,13 +128,28 @@ def test_two_images_after_a_load(name, shape, gap, stall):
                 await ctx.tick()
             await ctx.tick().repeat(3)
             await bench.command(ctx, Control.START)
-            await put(ctx, bench.core.i, with_last(bench.beats_in), gap=gap, rng=bench.rng)
+            await put(ctx, bench.core.i, with_last(bench.beats_in), gap=bench.gap, rng=bench.rng)
 
     async def sink(ctx):
         for _ in range(images):
             await bench.take(ctx)
 
     simulate(bench.dut, source, sink)
+
+
+@pytest.mark.parametrize(
+    ("shape", "stride", "signed", "gap", "stall"),
+    [
+        ((14, 12, 2, 6), 1, False, 0.0, 0.0),
+        ((13, 15, 3, 8), 1, True, 0.0, 0.0),
+        ((14, 11, 4, 7), 2, True, 0.3, 0.4),
+    ],
+)
+def test_three_tiles_of_a_1x1_kernel_together(shape, stride, signed, gap, stall):
+    array = ARRAYS["triples"]
+    spec = ConvSpec(*shape, 1, stride, 0, input=IntFormat(3, signed=signed))
+    assert array.triples(spec) == 1
+    run_images(Bench(array, random_case(spec, SEED, "extremes"), gap, stall))
 
 
 def test_faults_and_a_reset():

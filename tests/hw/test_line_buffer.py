@@ -1,6 +1,7 @@
 """Line buffer: contents, zero padding, groups announced, rows that wait for a free slot."""
 
 import random
+from itertools import product
 
 import numpy as np
 import pytest
@@ -84,6 +85,27 @@ def test_every_word_reads_back_with_padding_blanked(ingest, channels, height, wi
                                     got = word >> (3 * (pixel * cfg.rows + r)) & 7
                                     want = codes[c, y, x] if mask >> pixel & 1 and c < channels else 0
                                     assert got == want ^ (4 if biased else 0), (c, y, x, mask)
+                # Outer or inner two pixels alone, in the outer two places; the other two are 0, not raised.
+                for inner, block in product((0, 1), range(ceil_div(channels, cfg.rows))):
+                    ctx.set(dut.read.slot, y % ROWS_HELD)
+                    ctx.set(dut.read.address, g * stride * per_pixel + block // ingest)
+                    ctx.set(dut.read.bank, block % ingest)
+                    ctx.set(dut.read.mask, 0b1001)
+                    ctx.set(dut.read.apart, 1)
+                    ctx.set(dut.read.inner, inner)
+                    await ctx.tick().repeat(LineBuffer.LATENCY)
+                    word = ctx.get(dut.word)
+                    for r, (place, pixel) in product(
+                        range(cfg.rows), ((0, inner), (3, 3 - inner), (1, None), (2, None))
+                    ):
+                        c, x = block * cfg.rows + r, (GROUP * g + (pixel or 0)) * stride
+                        got = word >> (3 * (place * cfg.rows + r)) & 7
+                        if pixel is None:
+                            assert got == 0
+                        elif x < width:
+                            assert got == (codes[c, y, x] if c < channels else 0) ^ (4 if biased else 0)
+                ctx.set(dut.read.apart, 0)
+                ctx.set(dut.read.inner, 0)
                 ctx.set(dut.retire, 1)
                 await ctx.tick()
                 ctx.set(dut.retire, 0)

@@ -61,7 +61,7 @@ def test_hardware_and_spec_agree_on_every_shape(rows):
         for _ in range(1500)
     ]
     dut = ShapeDecoder(config)
-    seen = set()
+    seen, packed = set(), set()
 
     async def bench(ctx):
         for registers in shapes:
@@ -70,6 +70,7 @@ def test_hardware_and_spec_agree_on_every_shape(rows):
             fits = admitted(config, *registers)
             assert ctx.get(dut.error) == (Error.NONE if fits else Error.BAD_SHAPE), registers
             seen.add((fits, registers[-1]))
+            packed.add(fits and config.triples(layer_of(*registers)))
             if not fits:
                 continue
             layer = layer_of(*registers)
@@ -89,6 +90,7 @@ def test_hardware_and_spec_agree_on_every_shape(rows):
                 "beats_out": StreamLayout(layer.c_out, layer.output, config.stream_bits).beats_per_pixel,
                 "pointwise": layer.kernel == 1,
                 "halved": layer.stride == 2,
+                "packed": config.triples(layer) > 0,
                 "biased": config.biased(layer),
             }
             assert {name: ctx.get(getattr(dut.shape, name)) for name in expected} == expected
@@ -97,6 +99,8 @@ def test_hardware_and_spec_agree_on_every_shape(rows):
 
     simulate(dut, bench, cycles=40_000)
     assert seen == {(fits, mode) for fits in (True, False) for mode in modes}
+    # Eleven rows have too few channel blocks for triples.
+    assert packed == ({0} if rows == 11 else {0, 1, 2})
 
 
 @pytest.mark.parametrize("config", [CONFIG, SIGNED, RESIDUAL, BLOCKS, BOTH])

@@ -85,6 +85,7 @@ def test_rows_of_several_tiles_interleave_without_mixing(kind, engine, soft_rows
             if active:
                 _, g, t, s = plan[at]
                 ctx.set(dut.control.first, s == 0)
+                ctx.set(dut.control.carried, s == 0)
                 ctx.set(dut.control.last, s == steps - 1)
                 ctx.set(dut.control.edge, g == 0)
                 ctx.set(dut.control.tile, t)
@@ -99,6 +100,58 @@ def test_rows_of_several_tiles_interleave_without_mixing(kind, engine, soft_rows
                 assert value == expected[row, t, x], (row, t, x)
                 checked += 1
     assert checked == rows * tiles * width - tiles
+
+
+@pytest.mark.parametrize("engine", ["portable", "dsp48e2"])
+def test_two_pixels_of_three_tiles(engine):
+    """Three sums in a row; in the middle of the next one the carried lanes are moved, between the shifts of a ring."""
+    rng = np.random.default_rng(9)
+    sums, steps = 3, 4
+    config = replace(CONFIG, engine=engine)
+    dut = UnitCore(config)
+    acts = rng.integers(0, 8, (sums, steps, CONFIG.rows, 2))
+    taps = rng.integers(-4, 4, (sums, steps, CONFIG.rows, TAPS))
+    acts[1], taps[1] = 7, -4
+    expected = np.einsum("nsrp,nsrt->npt", acts, taps)
+    # A sum's steps with a hole in them, in which the lanes of the sum before are moved.
+    plan = [(n, s) for n in range(sums) for s in (0, 1, None, 2, 3)] + [(sums, None)]
+    found = {}
+
+    async def bench(ctx):
+        await ctx.tick().repeat(2)
+        depth = unit_latency(config) + 1
+        for cycle in range(len(plan) + depth + 1):
+            if cycle >= depth and cycle - depth < len(plan):
+                n, s = plan[cycle - depth]
+                slots = [ctx.get(dut.chain_o[slot]) for slot in range(GROUP)]
+                if s == steps - 1:
+                    found[n] = [[slots[0], slots[1], slots[2]], [slots[3], None, None]]
+                elif s is None and n > 0:
+                    assert slots[1:3] == found[n - 1][0][1:]
+                    found[n - 1][1][1:] = [slots[0], slots[3]]
+            n, s = plan[cycle] if cycle < len(plan) else (0, None)
+            bits = [int(tap) & 7 for tap in taps[n, s].reshape(-1)] if s is not None else []
+            ctx.set(dut.weight, sum(tap << (3 * at) for at, tap in enumerate(bits)))
+            n, s = plan[cycle - 1] if 0 <= cycle - 1 < len(plan) else (0, None)
+            word = 0
+            if s is not None:
+                for r in range(CONFIG.rows):
+                    outer_left, outer_right = (int(code) for code in acts[n, s, r])
+                    word |= outer_left << (3 * r) | outer_right << (3 * (3 * CONFIG.rows + r))
+            ctx.set(dut.activations, word)
+            at = cycle - 1 - control_delay(config)
+            n, s = plan[at] if 0 <= at < len(plan) else (0, None)
+            unload = s is None and n > 0
+            ctx.set(dut.control.en, s is not None)
+            ctx.set(dut.control.first, s == 0)
+            ctx.set(dut.control.last, s == steps - 1)
+            ctx.set(dut.control.carried, unload)
+            ctx.set(dut.control.unload, unload)
+            ctx.set(dut.control.tile, n - 1 if unload else n)
+            await ctx.tick()
+
+    simulate(dut, bench)
+    assert found == {n: expected[n].tolist() for n in range(sums)}
 
 
 def test_the_result_register_shifts_from_its_neighbour():

@@ -16,8 +16,9 @@ from macram_sim.array import simulate
 
 TINY = ArrayConfig.from_toml(Path(__file__).parents[2] / "configs" / "tiny.toml")
 ARRAY = dataclasses.replace(
-    TINY, name="pairs-and-soft", rows=5, engine="dsp48e2_2x", soft_rows=1, row_words=64, weight_depth=96
-)
+    TINY, name="pairs-and-soft", rows=5, engine="dsp48e2_2x", soft_rows=1, row_words=64, weight_depth=96,
+    max_c_in=96,
+)  # fmt: skip
 SIGNED = IntFormat(3, signed=True)
 
 
@@ -31,6 +32,8 @@ SIGNED = IntFormat(3, signed=True)
         (ConvSpec(7, 12, 9, 13, 3, 2, 1, input=SIGNED), "min"),
         (ConvSpec(16, 8, 4, 4, 1, 2, 0, input=SIGNED), "uniform"),
         (ConvSpec(16, 16, 3, 16, 3, 1, 1, input=SIGNED), "max"),
+        (ConvSpec(89, 29, 3, 9, 1, 1, 0), "extremes"),
+        (ConvSpec(96, 24, 2, 7, 1, 2, 0, input=SIGNED), "uniform"),
     ],
 )
 def test_codes_and_cycles(toolchain, spec, kind, traffic):

@@ -53,15 +53,15 @@ def packings(draw):
         max_c_in=draw(st.integers(7, 40)),
         max_c_out=units * draw(st.integers(1, 3)),
         weight_depth=128,
-        row_words=64,
+        row_words=256,
         stream_bits=draw(st.sampled_from([32, 64, 128])),
         drain=drain,
     )
     kernel = draw(st.sampled_from([1, 3]))
+    # Many blocks of a 1x1 kernel put its tiles in threes.
+    c_in = st.integers(1, 7) if kernel == 3 else st.sampled_from([5, array.max_c_in])
     spec = dataclasses.replace(
-        layer_for(
-            array, draw(st.integers(1, 7)), draw(st.integers(1, array.max_c_out)), 5, draw(st.integers(6, 9))
-        ),
+        layer_for(array, draw(c_in), draw(st.integers(1, array.max_c_out)), 5, draw(st.integers(6, 9))),
         kernel=kernel,
         stride=draw(st.sampled_from([1, 2])),
         padding=kernel // 2,
@@ -82,17 +82,22 @@ def test_every_weight_field_lies_where_the_contract_says(packing):
         words = packed.unit_words(u)
         for address, word in enumerate(words):
             assert 0 <= word < 1 << array.weight_word_bits
-            phases = array.phases(case.spec)
+            phases, triples = array.phases(case.spec), array.triples(case.spec)
             rest, cb = divmod(address, blocks)
             rest, phase = divmod(rest, phases)
             tile, ky = divmod(rest, case.spec.kernel)
+            tiles = [tile] * 3
             # Field j of the pixel in column 4 g + p counts towards column 4 g + p + j - 1.
             taps = {(1, 1): [None, 0, None], (3, 1): [2, 1, 0]}.get(
                 (case.spec.kernel, phases), [[None, 1, None], [None, 2, 0]][phase]
             )
+            if triples:
+                alone = tile >= triples
+                taps = [0, None, None] if alone else [0, 0, 0]
+                tiles = [tile + 2 * triples] * 3 if alone else [3 * tile, 3 * tile + 1, 3 * tile + 2]
             for r in range(array.rows):
                 for j in range(3):
-                    out, inp = tile * array.units + u, cb * array.rows + r
+                    out, inp = tiles[j] * array.units + u, cb * array.rows + r
                     inside = out < case.spec.c_out and inp < case.spec.c_in and taps[j] is not None
                     wanted = case.weights[out, inp, ky, taps[j]] if inside else 0
                     assert field(word, (r * 3 + j) * bits, bits, signed=True) == wanted
@@ -209,6 +214,19 @@ def test_one_known_word_by_hand():
     assert words[(1 * 3 + 1) * 2 + 0] == 0b111_000_010_000_000_000
     assert sum(map(bool, words)) == 2
     assert not packed.weights[1:].any()
+
+
+def test_three_tiles_share_a_word():
+    array = dataclasses.replace(TINY, max_c_in=32, weight_depth=80, row_words=64)
+    spec = dataclasses.replace(layer_for(array, 32, 32, 2, 4), kernel=1, padding=0)
+    weights = np.zeros((32, 32, 1, 1), np.int64)
+    weights[[3, 11, 19, 27], 30] = np.array([1, -4, 3, -2])[:, None, None]  # unit 3, block 15, row engine 0
+    case = dataclasses.replace(random_case(spec, 0), weights=weights)
+    packed = pack_layer(case, array)
+    words = packed.unit_words(3)
+    assert (array.triples(spec), len(words)) == (1, 2 * 16)
+    assert (words[15], words[31]) == (0b011_100_001, 0b110)
+    assert sum(map(bool, words)) == 2
 
 
 def test_reference_layer_packs_within_a_second():

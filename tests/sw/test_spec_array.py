@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -212,6 +213,43 @@ def test_passes_cover_the_channels_and_fit_in_pairs_where_they_can():
         match="c_in must be at most 1024, not 1025; build an array with a larger max_c_in, or with",
     ):
         layer_passes(ConvSpec(1025, 4096, 8, 8), array)
+
+
+@pytest.mark.parametrize("engine", ["portable", "dsp48e2_2x"])
+@pytest.mark.parametrize("drain", [1, 4])
+def test_three_tiles_together_exactly_where_that_takes_fewer_cycles(engine, drain):
+    array = ArrayConfig(engine=engine, drain=drain, rows=2)
+    for blocks in range(1, 500):
+        layer = ConvSpec(2 * blocks, 192, 8, 8, 1, 1, 0)
+        together = 2 * max(blocks + 1, array.pair_drain)
+        assert array.triples(layer) == (together < 3 * max(blocks, array.drain_period))
+    assert array.triples(ConvSpec(1024, 191, 8, 8, 1, 1, 0)) == 1
+    assert array.triples(ConvSpec(1024, 128, 8, 8, 1, 1, 0)) == 0
+    assert array.triples(ConvSpec(1000, 192, 8, 8)) == 0
+
+
+def test_two_taps_of_three_save_weight_words():
+    array = ArrayConfig()
+    words = {
+        tiles: array.weight_words(ConvSpec(512, 64 * tiles, 8, 8, 1, 1, 0)) // 64 for tiles in range(1, 9)
+    }
+    assert words == {1: 1, 2: 2, 3: 1, 4: 2, 5: 3, 6: 2, 7: 3, 8: 4}
+
+
+@pytest.mark.parametrize("c_in", [300, 520, 1024])
+def test_passes_in_threes_fit_in_pairs_where_they_can(c_in):
+    array = ArrayConfig(weight_depth=260, max_c_out=1024)
+    for c_out in range(1, 5000, 61):
+        layer = ConvSpec(c_in, c_out, 4, 4, 1, 1, 0)
+        parts = channel_passes(layer, array)
+        assert [channel for part in parts for channel in part] == list(range(c_out))
+        specs = pass_specs(layer, array)
+        for spec in specs:
+            array.check_admits(spec)
+        for one, other in pairwise(specs):
+            if c_in < 1024:
+                assert array.weight_words(one) + array.weight_words(other) <= array.weight_depth
+                assert array.requant_words(one) + array.requant_words(other) <= array.requant_depth
 
 
 def test_border_terms_hold_half_the_range_times_all_outer_taps():

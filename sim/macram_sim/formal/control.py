@@ -207,8 +207,8 @@ CONTROL: tuple[Proof, ...] = (
         (
             Break(
                 "drain.py",
-                "self.credit.eq(active & (index == self.credit_at))",
-                "self.credit.eq(active & begin & (index == self.credit_at))",
+                "self.credit.eq(active & (index[:-1] == self.credit_at) & round_last)",
+                "self.credit.eq(active & begin & (index[:-1] == self.credit_at))",
             ),
             Break(
                 "sequencer.py",
@@ -222,7 +222,7 @@ CONTROL: tuple[Proof, ...] = (
             ),
             Break(
                 "sequencer.py",
-                "image_last.eq(flushing | (row_last & group_last & (shape.tail != 0)))",
+                "image_last.eq(flushing | (row_last & group_last & ((shape.tail != 0) | shape.packed)))",
                 "image_last.eq(row_last & group_last)",
             ),
         ),

@@ -16,7 +16,7 @@ SEED = 2022
 
 EPILOG = """\
 examples:
-  macram verify regression                        60 random cases on each of four small arrays, scored
+  macram verify regression                        60 random cases on each of five small arrays, scored
   macram verify regression --cases 1000 --seed 7  a long run
   macram verify regression --seed 7 --only 66     the case that failed, alone
   macram verify formal                            every proof, and that broken gateware fails it

@@ -1,7 +1,7 @@
 """Where every weight and every requantiser parameter lies in the array's memories: the hardware contract.
 
 Weights. Unit u owns the output channels u, u + units, u + 2 units, ...; tile o is ``channel // units``. The
-input channels form ``blocks`` blocks of ``rows``. The word of unit u at address
+input channels form ``blocks`` blocks of ``rows``. Unless tiles come in triples, the word of unit u at address
 ``((o * kernel + ky) * phases + phase) * blocks + cb`` holds for row engine r (input channel ``cb * rows + r``)
 three fields of the weight format, field j at bit ``(r * 3 + j) * bits``. Field j meets the pixel whose column is
 one less than j away from the output column, so with the kernel row ``w`` of the channel pair the fields are
@@ -9,6 +9,10 @@ one less than j away from the output column, so with the kernel row ``w`` of the
 - 3x3, stride 1 (one phase): ``w[2], w[1], w[0]``, taps reversed;
 - 3x3, stride 2: phase 0, the even pixels, ``0, w[1], 0``; phase 1, the odd pixels, ``0, w[2], w[0]``;
 - 1x1 (one phase): ``0, w[0], 0``.
+
+Where three tiles of a 1x1 kernel are computed together (`ArrayConfig.triples`), field j is the ``w[0]`` of tile
+``3 t + j`` in the word at ``t * blocks + cb``, t counting triples. A tile that is left over has its ``w[0]`` in
+field 0; its words lie behind those of the triples and of the tiles before it.
 
 Requantiser. The word at address ``o * (units / drain) + d`` holds the channels ``o * units + d * drain + q``
 for q in 0..drain - 1, entry q at bit ``q * requant_entry_bits``. A threshold entry is the thresholds in
@@ -40,7 +44,8 @@ BIT_ORDER = {
         "word ((o * kernel + ky) * phases + phase) * blocks + cb, field j of row engine r at bit "
         "(r * 3 + j) * weight_bits, two's complement; with w = weights[o * units + u, cb * rows + r, ky] the "
         "fields are w[2] w[1] w[0]; for 3x3 with stride 2 0 w[1] 0 in phase 0 and 0 w[2] w[0] in phase 1; "
-        "for 1x1 0 w[0] 0"
+        "for 1x1 0 w[0] 0; of 1x1 tiles in threes field j of word t * blocks + cb is w[0] of tile 3 * t + j, "
+        "and tiles left over follow with w[0] 0 0"
     ),
     "threshold": (
         "word o * (units / drain) + d holds channels o * units + d * drain + q, entry q at bit "
@@ -65,6 +70,15 @@ SHIFT_FIELDS = (
 def pack_weights(weights: NDArray[np.int64], spec: ConvSpec, array: ArrayConfig) -> Words:
     """Codes ``[c_out, c_in, kernel, kernel]`` -> words ``[units, weight_words, bytes]``."""
     tiles, blocks = array.tiles(spec.c_out), array.blocks(spec.c_in)
+    if array.triples(spec):
+        alone = np.zeros((tiles, array.units, blocks, array.rows), np.int64)
+        alone.reshape(tiles * array.units, -1)[: spec.c_out, : spec.c_in] = weights[..., 0, 0]
+        words = array.weight_words(spec)
+        together = np.zeros((array.units, words // blocks, blocks, array.rows, TAPS), np.int64)
+        for tile, (place, field) in enumerate(_places(spec, array)):
+            together[:, place, ..., field] = alone[tile]
+        bits = to_bits(together, array.weight)
+        return bits_to_words(bits.reshape(array.units, words, array.weight_word_bits))
     kernel, phases = spec.kernel, array.phases(spec)
     whole = np.zeros((tiles * array.units, blocks * array.rows, kernel, phases, TAPS), np.int64)
     for phase, field, tap in _fields(kernel, phases):
@@ -79,6 +93,11 @@ def unpack_weights(words: Words, spec: ConvSpec, array: ArrayConfig) -> NDArray[
     tiles, blocks = array.tiles(spec.c_out), array.blocks(spec.c_in)
     kernel, phases = spec.kernel, array.phases(spec)
     bits = words_to_bits(words, array.weight_word_bits)
+    if array.triples(spec):
+        shape = (array.units, -1, blocks, array.rows, TAPS, array.weight.bits)
+        together = from_bits(bits.reshape(shape), array.weight)
+        alone = np.stack([together[:, place, ..., field] for place, field in _places(spec, array)])
+        return alone.reshape(tiles * array.units, -1)[: spec.c_out, : spec.c_in, None, None]
     bits = bits.reshape(array.units, tiles, kernel, phases, blocks, array.rows, TAPS, array.weight.bits)
     fields = from_bits(bits, array.weight).transpose(1, 0, 4, 5, 2, 3, 6)
     whole = fields.reshape(tiles * array.units, blocks * array.rows, kernel, phases, TAPS)
@@ -95,6 +114,15 @@ def _fields(kernel: int, phases: int) -> tuple[tuple[int, int, int], ...]:
     if phases == 1:
         return ((0, 0, 2), (0, 1, 1), (0, 2, 0))
     return ((0, 1, 1), (1, 1, 2), (1, 2, 0))
+
+
+def _places(spec: ConvSpec, array: ArrayConfig) -> list[tuple[int, int]]:
+    """Of each tile, the place (triple or tile left over) of its words and the field in them."""
+    tiles, triples = array.tiles(spec.c_out), array.triples(spec)
+    return [
+        divmod(tile, TAPS) if tile < TAPS * triples else (tile - (TAPS - 1) * triples, 0)
+        for tile in range(tiles)
+    ]
 
 
 def pack_requant(requant: Requant, rise: Rise, array: ArrayConfig, words: int) -> Words:

@@ -38,6 +38,8 @@ ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4, "dsp48e2_2x": 5, "soft": 1}
 one DSP slice of UltraScale+. ``dsp48e2_2x``: the same slice at twice the array's clock, serving two rows. ``soft``:
 products as tables in the LUTs of UltraScale+. All but the first take weights and unsigned activations of up to 3
 bits."""
+DECISION_TO_RESULT = 5
+"""Cycles from the decision of a compute step to its sum in the result registers, without the row engine's."""
 PACKED_BITS = 3
 """Most bits of an operand of the kinds other than ``portable``: the lanes in a DSP slice lie 7 bits apart, and the
 operands of a product in LUTs fill the inputs of one LUT."""
@@ -241,6 +243,27 @@ class ArrayConfig:
         return self.units // self.drain
 
     @property
+    def drain_period(self) -> int:
+        """Fewest cycles from one sum's way into the result registers to the next one's."""
+        return max(self.drain_cycles, DECISION_TO_RESULT + self.engine_latency + 1)
+
+    @property
+    def pair_drain(self) -> int:
+        """The same after a sum of a triple: three rounds, of which the second waits for the carried lanes."""
+        return 2 * self.drain_period + self.drain_cycles
+
+    @property
+    def triple_blocks(self) -> int:
+        """Fewest channel blocks of a 1x1 kernel for which triples save cycles, see `triples`.
+
+        Three tiles take ``3 * blocks`` cycles one by one and ``2 * max(blocks + 1, pair_drain)`` together. With partial
+        sums, more than any layer has: their streams take sums of one tile.
+        """
+        if self.partial_sum_c_in:
+            return self.blocks(self.partial_sum_c_in) + 1
+        return 2 * self.pair_drain // 3 + 1
+
+    @property
     def output_word_channels(self) -> int:
         """Channels of one pixel that leave the output buffer per cycle."""
         return GROUP * self.drain
@@ -293,9 +316,21 @@ class ArrayConfig:
         """Compute steps of one sum: kernel rows x pixel phases x channel blocks."""
         return layer.kernel * self.phases(layer) * self.blocks(layer.c_in)
 
+    def packs(self, layer: ConvSpec) -> bool:
+        """Whether three tiles of ``layer`` together take fewer cycles than one by one."""
+        return layer.kernel == 1 and self.blocks(layer.c_in) >= self.triple_blocks
+
+    def triples(self, layer: ConvSpec) -> int:
+        """Threes of output-channel tiles that are computed together; the tiles left over come behind them.
+
+        The three taps of a row engine then belong to three tiles, and it takes two pixels instead of four: six
+        products instead of four.
+        """
+        return self.tiles(layer.c_out) // TAPS if self.packs(layer) else 0
+
     def weight_words(self, layer: ConvSpec) -> int:
-        """Weight words per unit that ``layer`` needs: one per step and output-channel tile."""
-        return self.tiles(layer.c_out) * self.steps(layer)
+        """Weight words per unit that ``layer`` needs: one per step and output-channel tile, or triple of tiles."""
+        return (self.tiles(layer.c_out) - (TAPS - 1) * self.triples(layer)) * self.steps(layer)
 
     def requant_words(self, layer: ConvSpec) -> int:
         """Requantiser words that ``layer`` needs: whole tiles."""

@@ -6,7 +6,7 @@ import dataclasses
 import itertools
 from dataclasses import dataclass
 
-from macram.spec.array import ArrayConfig
+from macram.spec.array import TAPS, ArrayConfig
 from macram.spec.formats import ceil_div
 from macram.spec.layer import ConvSpec
 
@@ -41,11 +41,15 @@ def layer_passes(layer: ConvSpec, array: ArrayConfig) -> list[LayerPass]:
         ValueError: not even one tile of output channels fits; the line names the limit.
     """
     blocks = _input_blocks(layer, array)
-    widest = dataclasses.replace(layer, c_in=len(blocks[0]))
-    most = min(array.max_tiles, array.weight_depth // array.steps(widest))
-    if len(blocks) > 1 or array.tiles(layer.c_out) > most:
-        most = most // 2 or most
-    step = most * array.units
+    if len(blocks) == 1 and _one_pass(layer, array):
+        step = layer.c_out
+    else:
+        widest = dataclasses.replace(layer, c_in=len(blocks[0]))
+        places = array.weight_depth // array.steps(widest)
+        most = min(array.max_tiles // 2, _tiles_in(places // 2, widest, array)) or min(
+            array.max_tiles, _tiles_in(places, widest, array)
+        )
+        step = most * array.units
     return [
         LayerPass(
             dataclasses.replace(layer, c_in=len(block), c_out=len(part)),
@@ -84,3 +88,13 @@ def _input_blocks(layer: ConvSpec, array: ArrayConfig) -> list[range]:
     sizes = [size if index < larger else size - array.rows for index in range(count)]
     ends = [0, *itertools.accumulate(sizes)]
     return [range(first, min(end, layer.c_in)) for first, end in itertools.pairwise(ends)]
+
+
+def _one_pass(layer: ConvSpec, array: ArrayConfig) -> bool:
+    return array.tiles(layer.c_out) <= array.max_tiles and array.weight_words(layer) <= array.weight_depth
+
+
+def _tiles_in(places: int, layer: ConvSpec, array: ArrayConfig) -> int:
+    """So many tiles, and any smaller number, take no more than ``places`` tiles' words."""
+    # Up to two tiles are left over from triples; they take a place each.
+    return max(places, TAPS * (places - 1)) if array.packs(layer) else places
