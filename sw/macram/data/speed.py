@@ -120,7 +120,7 @@ def _model(root: Path) -> Model:
     """Tango, or the box that a rendered data set names in ``dataset.json``."""
     own = root / "dataset.json"
     if own.is_file():
-        about = read_object(own).get("model")
+        about: Any = read_object(own).get("model")
         try:
             size, diameter = np.array(about["size_mm"], np.float64), float(about["diameter_mm"])
             if size.shape != (3,) or not (size > 0).all() or not np.isfinite([*size, diameter]).all():

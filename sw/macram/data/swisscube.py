@@ -178,11 +178,7 @@ class SwissCube:
             raise ValueError(f"{gt}: {where}cam_R_m2c is not a rotation")
         if translation[2] <= 0:
             raise ValueError(f"{gt}: {where}cam_t_m2c puts the object behind the camera")
-        camera = _numbers(
-            _field(scene.cameras[number], cameras, "cam_K"), cameras, where + "cam_K of 9 numbers", (9,)
-        ).reshape(3, 3)
-        if not is_camera(camera):
-            raise ValueError(f"{cameras}: frame {number}: cam_K is not the matrix of a camera")
+        camera = _camera(scene.cameras[number], cameras, number)
         camera[:2] /= self.shrink
         if image is None:
             image = next(
@@ -209,6 +205,25 @@ class SwissCube:
             model=self.model,
             shrink=self.shrink,
         )
+
+
+def read_cameras(path: Path) -> dict[int, Floats]:
+    """Intrinsics ``[3, 3]`` by frame number from a ``scene_camera.json``.
+
+    Raises:
+        ValueError: missing or malformed; one line that names it.
+    """
+    table = _by_number(read_json(path), path)
+    return {number: _camera(entry, path, number) for number, entry in table.items()}
+
+
+def _camera(entry: Any, path: Path, number: int) -> Floats:
+    """A new ``[3, 3]`` array."""
+    what = f"frame {number}: cam_K of 9 numbers"
+    camera = _numbers(_field(entry, path, "cam_K"), path, what, (9,)).reshape(3, 3)
+    if not is_camera(camera):
+        raise ValueError(f"{path}: frame {number}: cam_K is not the matrix of a camera")
+    return camera
 
 
 class _Scene:

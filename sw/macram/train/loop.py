@@ -15,6 +15,7 @@ from rich.console import Console
 from torch import Tensor, nn
 
 from macram.data.files import write_picture
+from macram.data.frame import Frame
 from macram.data.open import open_dataset
 from macram.quant import calibrate_steps
 from macram.train.augment import NONE
@@ -72,6 +73,9 @@ class Run:
             )
         device = processes.device
         self.step, self.visits, self.minutes = 0, 0, 0.0
+        self.loading = 0.0
+        if config.data.validation:  # now, not when the first scores are due
+            self._validation()
         self.frames = self._packed()
         self.stage = Stage(config, self.frames)
         self.augment = self.stage.augmentation()
@@ -185,9 +189,10 @@ class Run:
                     "visits": self.visits,
                     "minutes": clock.minutes,
                     "img_s": rate,
+                    "loading": 100 * self.loading / max(now - since, 1e-9),
                     **means,
                 }
-                sums, counted, summed = {}, 0, 0
+                sums, counted, summed, self.loading = {}, 0, 0, 0.0
                 every = config.log.evaluate_minutes
                 if first and every and clock.minutes - scored >= every:
                     row |= self._score(log)
@@ -224,7 +229,9 @@ class Run:
         side = int(rng.choice(phase.sizes))
         size = (side, side) if side else self.frames.size
         chosen = frame_order(config.run.seed, len(self.frames), self.visits, images)
+        start = time.monotonic()
         batch, cells = self._batch(chosen, rng, size)
+        self.loading += time.monotonic() - start
         rate = learning_rate(config.schedule, config.optimiser.lr, self.step, done)
         for group in self.optimiser.param_groups:
             group["lr"] = rate
@@ -293,15 +300,27 @@ class Run:
         state = header["state"]
         self.step, self.visits, self.minutes = state["step"], state["visits"], state["minutes"]
 
+    def _validation(self) -> list[Frame]:
+        """Frames to score on.
+
+        Raises:
+            ValueError: no such split, an empty one, or a bad file.
+        """
+        settings = self.config.data
+        frames = open_dataset(Path(settings.root), settings.shrink).frames(settings.validation)
+        if not frames:
+            raise ValueError(
+                f'{settings.root}: split {settings.validation} has no frames; set data.validation to another or ""'
+            )
+        return thinned(frames, self.config.log.evaluate_frames)
+
     def _score(self, log: Log | None) -> dict[str, float]:
         """Accuracy on validation frames, and a sheet of pictures."""
         from macram.train.predict import Predictor, evaluate_frames  # noqa: PLC0415
 
-        settings = self.config.data
-        if not settings.validation:
+        if not self.config.data.validation:
             return {}
-        dataset = open_dataset(Path(settings.root), settings.shrink)
-        frames = thinned(dataset.frames(settings.validation), self.config.log.evaluate_frames)
+        frames = self._validation()
         self.result.eval()
         predictor = Predictor(self.result, self.stage.card, self.processes.device)
         evaluation, detections = evaluate_frames(predictor, frames)
