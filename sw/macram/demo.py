@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from macram.front import FrontResult
     from macram.train.learned import LearnedFront
 
+PLACES = (Path(__file__).parent / "examples", Path(__file__).resolve().parents[2] / "examples")
+"""Example images of an installed package; of a repository."""
 STAGES = 9
 """Stages that `run_demo` opens."""
 COMPARISON_NOTE = (
@@ -32,15 +34,15 @@ COMPARISON_NOTE = (
 
 
 def example_images() -> list[Path]:
-    """The images of the repository's ``examples/`` without their masks; none if there is no such folder."""
-    folder = Path(__file__).resolve().parents[2] / "examples"
-    return [path for path in sorted(folder.glob("*.png")) if not path.stem.endswith("_mask")]
+    """The 512 x 512 example images without their masks; none if this installation has no examples."""
+    return [
+        path for folder in PLACES for path in sorted(folder.glob("*.png")) if not path.stem.endswith("_mask")
+    ]
 
 
 def demo_image() -> Path | None:
     """The example that a network was trained for; None if this installation has no examples."""
-    image = Path(__file__).resolve().parents[2] / "examples/test_near.jpg"
-    return image if image.is_file() else None
+    return next((path for folder in PLACES if (path := folder / "test_near.jpg").is_file()), None)
 
 
 def learned_pose(image: Path | None, focal: float | None) -> tuple[Path, LearnedFront]:

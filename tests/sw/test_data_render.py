@@ -140,7 +140,8 @@ def test_another_specification_is_refused(small, tmp_path):
 @pytest.mark.parametrize(
     "change",
     [
-        {"size": (0, 64)}, {"size": (60, 60)}, {"focal": 0.0}, {"depth": (0.5, 4)}, {"depth": (5, 4)},
+        {"size": (0, 64)}, {"size": (60, 60)}, {"focal": 0.0}, {"focal": float("nan")}, {"focal": float("inf")},
+        {"depth": (0.5, 4)}, {"depth": (5, 4)},
         {"sequences": (0, 0, 0)}, {"sequences": (-1, 2, 2)}, {"frames": 0}, {"seed": -1}, {"format": "coco"},
         {"format": "speed"},
     ],
@@ -149,6 +150,13 @@ def test_bad_specifications(change):
     with pytest.raises(ValueError, match=r"must|are") as error:
         replace(SMALL, **change)
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("jobs", [0, 10**6])
+def test_absurd_numbers_of_processes_are_refused_before_anything_starts(jobs, tmp_path):
+    with pytest.raises(ValueError, match="jobs must be 1 to 256"):
+        next(produce(tmp_path / "data", SMALL, jobs=jobs))
+    assert not (tmp_path / "data").exists()
 
 
 def test_tiers_are_those_that_were_promised():

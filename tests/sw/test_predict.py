@@ -195,6 +195,36 @@ def test_predict_without_a_pose_says_so(frames, weights, tmp_path, capsys):
     assert "no pose" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize(
+    ("table", "words"),
+    [
+        ([], r"scene_camera\.json: expected an object whose keys are numbers"),
+        ({"3": {"cam_K": [1, 2]}}, r"scene_camera\.json: expected frame 3: cam_K of 9 numbers"),
+        ({"3": {"cam_K": [0, 0, 1, 0, 0, 1, 0, 0, 1]}}, r"scene_camera\.json: frame 3: cam_K is not"),
+        (
+            {"3": {"cam_K": [0.01, 0, 1, 0, 0.01, 1, 0, 0, 1]}},
+            r"000003\.png: a focal length of 0\.01 pixels is too far",
+        ),
+    ],
+)
+def test_predict_refuses_cameras_that_are_none(table, words, weights, tmp_path):
+    picture = tmp_path / "scene/rgb/000003.png"
+    picture.parent.mkdir(parents=True)
+    cv2.imwrite(str(picture), np.zeros((64, 64, 3), np.uint8))
+    (tmp_path / "scene/scene_camera.json").write_text(json.dumps(table))
+    with pytest.raises(ValueError, match=words):
+        predict(parse(add_predict, "predict", picture, "-o", tmp_path / "out", "--weights", weights))
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("focal", ["nan", "inf", "0", "1e-3", "1e9"])
+def test_predict_refuses_focal_lengths_that_are_none(focal, frames, weights, tmp_path):
+    words = ("--weights", weights, "--focal", focal)
+    with pytest.raises(ValueError, match="--focal"):
+        predict(parse(add_predict, "predict", frames[0].image, "-o", tmp_path / "out", *words))
+    assert not (tmp_path / "out").exists()
+
+
 def test_predict_needs_a_focal_length_it_cannot_know(weights, tmp_path):
     picture = tmp_path / "photo.png"
     cv2.imwrite(str(picture), np.zeros((40, 50, 3), np.uint8))

@@ -2,8 +2,10 @@ from __future__ import annotations
 
 import csv
 import os
+import shutil
 import subprocess
 import sys
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -167,6 +169,40 @@ def test_an_existing_run_is_neither_overwritten_nor_resumed_otherwise(scene, tmp
     other = config(scene, tmp_path / "run", schedule={"steps": 2}, optimiser={"lr": 1e-3})
     with pytest.raises(ValueError, match=r"optimiser\.lr = 0\.002, not 0\.001"):
         Run(other, ALONE, None, resume=True)
+
+
+@pytest.mark.parametrize(
+    ("tables", "words"),
+    [
+        ({"data": {"validation": "held-out"}}, "no split 'held-out'; it has training, validation"),
+        ({"network": {"image_size": 128}}, "frames of 64x64 pixels; set network.image_size to 64, not 128"),
+    ],
+)
+def test_the_log_tells_what_loading_costs(scene, tmp_path, monkeypatch):
+    def shares(folder):
+        Run(config(scene, folder), ALONE, None).train()
+        with (folder / "log.csv").open() as file:
+            return [float(row["loading"]) for row in csv.DictReader(file) if row["loading"]]
+
+    usual = shares(tmp_path / "usual")
+    assert len(usual) == 3
+    assert all(0 < share < 100 for share in usual)
+    made = Run._batch
+    monkeypatch.setattr(Run, "_batch", lambda *args, **kwargs: time.sleep(0.5) or made(*args, **kwargs))
+    assert min(shares(tmp_path / "slow")) > max(50, max(usual))
+
+
+def test_what_would_fail_at_the_end_fails_at_the_start(tables, words, scene, tmp_path):
+    with pytest.raises(ValueError, match=words):
+        Run(config(scene, tmp_path / "run", **tables), ALONE, None)
+    assert not (tmp_path / "run").exists()
+
+
+def test_an_empty_validation_split_is_named_before_training(scene, tmp_path):
+    root = shutil.copytree(scene, tmp_path / "data")
+    (root / "validation.txt").write_text("")
+    with pytest.raises(ValueError, match=r"split validation has no frames; set data\.validation"):
+        Run(config(root, tmp_path / "run"), ALONE, None)
 
 
 def test_time_limit_ends_a_run_and_leaves_a_checkpoint(scene, tmp_path):

@@ -19,6 +19,8 @@ DETAIL = (
     "cam_t_m2c in mm; null where nothing was found). The focal length comes from --focal, else from a "
     "scene_camera.json beside the picture's folder, else from the training if the picture has its size."
 )
+FARTHEST = 16.0
+"""Largest factor between a picture's focal length and the training's; beyond it one of them is a mistake."""
 EXAMPLES = """\
 examples:
   macram predict photo.png -o build/poses --weights build/runs/quarter-wdr/model.safetensors --focal 620
@@ -101,20 +103,34 @@ def _camera(
     """
     import numpy as np  # noqa: PLC0415
 
-    from macram.data.files import read_json  # noqa: PLC0415
+    from macram.data.swisscube import read_cameras  # noqa: PLC0415
 
     height, width = image.shape[:2]
     scene = path.resolve().parent.parent / "scene_camera.json"
     if focal is None and scene.is_file() and path.stem.isdigit():
-        for key, entry in read_json(scene).items():
-            if key.isdigit() and int(key) == int(path.stem) and isinstance(entry, dict) and "cam_K" in entry:
-                return np.array(entry["cam_K"], np.float64).reshape(3, 3)
+        cameras = read_cameras(scene)
+        if int(path.stem) in cameras:
+            return _within(path, cameras[int(path.stem)], trained)
     if focal is None:
         if (width, height) != (size, size):
             raise ValueError(
                 f"{path}: {width}x{height} pixels, trained on {size}x{size}; give the focal length with --focal"
             )
         focal = trained
-    if not focal > 0:
+    if not 0 < focal < float("inf"):
         raise ValueError(f"--focal must be above 0, not {focal}")
-    return np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
+    return _within(path, np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]]), trained)
+
+
+def _within(path: Path, camera: NDArray[np.float64], trained: float) -> NDArray[np.float64]:
+    """``camera``, if bringing its picture to the focal length of the training is possible.
+
+    Raises:
+        ValueError: it would become so large or small that the focal length must be wrong.
+    """
+    if not 1 / FARTHEST <= trained / camera[0, 0] <= FARTHEST:
+        raise ValueError(
+            f"{path}: a focal length of {camera[0, 0]:g} pixels is too far from the training's {trained:g}; "
+            "name the right one with --focal"
+        )
+    return camera

@@ -28,6 +28,30 @@ def read_json(path: Path) -> Any:
         raise ValueError(f"{path}: not valid JSON ({error})") from None
 
 
+def read_object(path: Path) -> dict[str, Any]:
+    """Parsed JSON whose outermost value is an object.
+
+    Raises:
+        ValueError: no such file, not JSON, or something else; one line that names it.
+    """
+    table = read_json(path)
+    if not isinstance(table, dict):
+        raise ValueError(f"{path}: expected a JSON object")
+    return table
+
+
+def read_lines(path: Path) -> list[str]:
+    """Lines of a text file.
+
+    Raises:
+        ValueError: not text; one line that names it.
+    """
+    try:
+        return path.read_text().splitlines()
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path}: not a text file ({error})") from None
+
+
 def read_picture(path: Path, colour: bool, size: tuple[int, int] | None) -> Picture:
     """Decode a picture: ``[H, W, 3]`` RGB or ``[H, W]`` grey.
 

@@ -69,6 +69,16 @@ def is_rotation(matrix: Floats, tolerance: float = 1e-3) -> bool:
     )
 
 
+def is_camera(matrix: Floats) -> bool:
+    """Whether ``[3, 3]`` are intrinsics: upper triangular, focal lengths above 0, last row 0 0 1."""
+    return bool(
+        np.isfinite(matrix).all()
+        and (np.diag(matrix)[:2] > 0).all()
+        and matrix[1, 0] == 0
+        and (matrix[2] == [0, 0, 1]).all()
+    )
+
+
 def matrix_of_quaternion(quaternion: ArrayLike) -> Floats:
     """Rotation matrix of a unit quaternion, scalar first; (cos a/2, 0, 0, sin a/2) turns +x towards +y."""
     w, x, y, z = (float(v) for v in np.asarray(quaternion, np.float64))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from macram.data.files import read_json
+from macram.data.files import read_object
 from macram.data.speed import Speed
 from macram.data.swisscube import SwissCube
 
@@ -24,7 +24,7 @@ def open_dataset(root: Path, shrink: int = 1) -> Dataset:
 
 def dataset_version(root: Path) -> str:
     """``cubesat1u-v1, poses 54cdb1823...`` of a complete rendered set, else the name of the folder."""
-    about = read_json(root / "dataset.json") if (root / "dataset.json").is_file() else {}
-    if isinstance(about, dict) and "poses_sha256" in about:
-        return f"{about['version']}, poses {about['poses_sha256'][:12]}"
+    about = read_object(root / "dataset.json") if (root / "dataset.json").is_file() else {}
+    if "poses_sha256" in about and "version" in about:
+        return f"{about['version']}, poses {str(about['poses_sha256'])[:12]}"
     return root.name

@@ -22,6 +22,9 @@ from macram.data.render.cubesat import DIAMETER_MM, NAME, SIZE_MM, corners, mesh
 from macram.data.spec import SPLITS, RenderSpec
 from macram.data.write import DONE, PART, done_path, first_number, write_sequence
 
+MOST_JOBS = 256
+"""A process takes 0.7 GB; more than these are a slip of the keyboard."""
+
 _shared: dict[str, Any] = {}
 """A worker's frame counter and stop flag; set once when it starts."""
 
@@ -44,8 +47,8 @@ def produce(root: Path, spec: RenderSpec, jobs: int = 1) -> Iterator[int]:
     Raises:
         ValueError: ``root`` holds something else.
     """
-    if jobs < 1:
-        raise ValueError(f"jobs must be 1 or more, not {jobs}")
+    if not 1 <= jobs <= MOST_JOBS:
+        raise ValueError(f"jobs must be 1 to {MOST_JOBS}, not {jobs}")
     complete = _open(root, spec)
     every = [
         (split, first_number(spec, split) + number)

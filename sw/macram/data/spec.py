@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -48,7 +49,7 @@ class RenderSpec:
                 raise ValueError(f"{name} must be 1 or more, not {value}")
         if self.size[0] % 8 or self.size[1] % 8:
             raise ValueError(f"size must be a multiple of 8, not {self.size[0]}x{self.size[1]}")
-        if self.focal <= 0:
+        if not 0 < self.focal < math.inf:
             raise ValueError(f"focal must be above 0, not {self.focal}")
         if min(self.sequences) < 0 or not any(self.sequences):
             raise ValueError(f"sequences must be 0 or more and not all 0, not {self.sequences}")

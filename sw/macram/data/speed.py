@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from macram.data.files import read_json
+from macram.data.files import read_json, read_object
 from macram.data.frame import Frame, Model
 from macram.data.geometry import Floats, box_corners, matrix_of_quaternion
 
@@ -73,7 +73,7 @@ class Speed:
     def _read(self) -> list[Frame]:
         path = self.root / "train.json"
         table = read_json(path)
-        if not isinstance(table, list):
+        if not isinstance(table, list) or not table:
             raise ValueError(f"{path}: expected a list of pictures")
         folder = self.root / "images/train"
         there = {file.name for file in folder.iterdir()} if folder.is_dir() else set()
@@ -120,13 +120,17 @@ def _model(root: Path) -> Model:
     """Tango, or the box that a rendered data set names in ``dataset.json``."""
     own = root / "dataset.json"
     if own.is_file():
-        about = read_json(own).get("model")
+        about: Any = read_object(own).get("model")
         try:
-            size = np.array(about["size_mm"], np.float64)
+            size, diameter = np.array(about["size_mm"], np.float64), float(about["diameter_mm"])
+            if size.shape != (3,) or not (size > 0).all() or not np.isfinite([*size, diameter]).all():
+                raise ValueError("numbers that are no sizes")
+            if not diameter > 0:
+                raise ValueError("no diameter")
             corners = box_corners(-size / 2, size / 2)
-            return Model(str(about["name"]), corners, float(about["diameter_mm"]), corners, is_box=True)
+            return Model(str(about["name"]), corners, diameter, corners, is_box=True)
         except (TypeError, KeyError, ValueError):
-            raise ValueError(f"{own}: model needs name, size_mm and diameter_mm") from None
+            raise ValueError(f"{own}: model needs name, size_mm and diameter_mm, sizes above 0") from None
     points = 1000 * np.array(TANGO_M)
     span = float(np.linalg.norm(points[:, None] - points[None], axis=2).max())
     return Model("tango", points, span, points, is_box=False)

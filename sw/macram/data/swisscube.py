@@ -15,9 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from macram.data.files import read_json
+from macram.data.files import read_json, read_lines, read_object
 from macram.data.frame import Frame, Model
-from macram.data.geometry import Floats, box_corners, is_rotation
+from macram.data.geometry import Floats, box_corners, is_camera, is_rotation
 from macram.data.ply import read_vertices
 
 LISTS = ("training", "validation", "testing")
@@ -51,6 +51,9 @@ class SwissCube:
         )
         """Names of the splits that are there."""
         if not self.splits:
+            own = root / "dataset.json"
+            if own.is_file() and not read_object(own).get("complete"):
+                raise ValueError(f"{own}: the data set is not complete; render again to go on")
             raise ValueError(
                 f"{root}: neither training.txt nor */*/scene_gt.json; not a SwissCube or BOP folder"
             )
@@ -60,8 +63,9 @@ class SwissCube:
         """Width and height of the files where the data set fixes them."""
         own = self.root / "dataset.json"
         if own.is_file():
-            width, height = _field(read_json(own), own, "spec")["size"]
-            return int(width), int(height)
+            size = _field(_field(read_json(own), own, "spec"), own, "size")
+            width, height = _numbers(size, own, "spec.size of 2 numbers", (2,)).astype(int).tolist()
+            return width, height
         return SWISSCUBE_SIZE if (self.root / "swisscube_bbox.json").is_file() else None
 
     @cached_property
@@ -80,8 +84,16 @@ class SwissCube:
             corners = _numbers(read_json(boxes[0]), boxes[0], "8 corners of 3 numbers", (1, 8, 3), (8, 3))
             corners = corners.reshape(8, 3)
         elif about is not None:
-            low = np.array([_field(about, about_path, f"min_{axis}") for axis in "xyz"], np.float64)
-            corners = box_corners(low, low + [_field(about, about_path, f"size_{axis}") for axis in "xyz"])
+            low, size = (
+                _numbers(
+                    [_field(about, about_path, f"{what}_{axis}") for axis in "xyz"],
+                    about_path,
+                    f"{what}_x, {what}_y, {what}_z to be numbers",
+                    (3,),
+                )
+                for what in ("min", "size")
+            )
+            corners = box_corners(low, low + size)
         elif vertices is not None:
             corners = box_corners(vertices.min(axis=0), vertices.max(axis=0))
         else:
@@ -90,7 +102,11 @@ class SwissCube:
             )
         name = boxes[0].name.removesuffix("_bbox.json") if boxes else self.root.name
         if about is not None:
-            diameter = float(_field(about, about_path, "diameter"))
+            diameter = float(
+                _numbers(_field(about, about_path, "diameter"), about_path, "a number as diameter", ())
+            )
+            if diameter <= 0:
+                raise ValueError(f"{about_path}: diameter must be above 0, not {diameter:g}")
         else:
             diameter = (
                 SWISSCUBE_DIAMETER_MM
@@ -112,7 +128,7 @@ class SwissCube:
     def _listed(self, split: str) -> Iterable[Frame]:
         path = self.root / f"{split}.txt"
         scene: _Scene | None = None
-        for number, line in enumerate(path.read_text().splitlines(), 1):
+        for number, line in enumerate(read_lines(path), 1):
             if not line.strip():
                 continue
             image = self.root / line.strip()
@@ -143,6 +159,8 @@ class SwissCube:
             raise ValueError(f"{gt}: no entry for frame {number}")
         if number not in scene.cameras:
             raise ValueError(f"{cameras}: no entry for frame {number}")
+        if not isinstance(scene.poses[number], list):
+            raise ValueError(f"{gt}: frame {number}: expected a list of objects")
         found = [
             (index, pose)
             for index, pose in enumerate(scene.poses[number])
@@ -160,9 +178,7 @@ class SwissCube:
             raise ValueError(f"{gt}: {where}cam_R_m2c is not a rotation")
         if translation[2] <= 0:
             raise ValueError(f"{gt}: {where}cam_t_m2c puts the object behind the camera")
-        camera = _numbers(
-            _field(scene.cameras[number], cameras, "cam_K"), cameras, where + "cam_K of 9 numbers", (9,)
-        ).reshape(3, 3)
+        camera = _camera(scene.cameras[number], cameras, number)
         camera[:2] /= self.shrink
         if image is None:
             image = next(
@@ -189,6 +205,25 @@ class SwissCube:
             model=self.model,
             shrink=self.shrink,
         )
+
+
+def read_cameras(path: Path) -> dict[int, Floats]:
+    """Intrinsics ``[3, 3]`` by frame number from a ``scene_camera.json``.
+
+    Raises:
+        ValueError: missing or malformed; one line that names it.
+    """
+    table = _by_number(read_json(path), path)
+    return {number: _camera(entry, path, number) for number, entry in table.items()}
+
+
+def _camera(entry: Any, path: Path, number: int) -> Floats:
+    """A new ``[3, 3]`` array."""
+    what = f"frame {number}: cam_K of 9 numbers"
+    camera = _numbers(_field(entry, path, "cam_K"), path, what, (9,)).reshape(3, 3)
+    if not is_camera(camera):
+        raise ValueError(f"{path}: frame {number}: cam_K is not the matrix of a camera")
+    return camera
 
 
 class _Scene:

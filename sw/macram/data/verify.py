@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from macram.data.files import read_json
+from macram.data.files import read_object
 from macram.data.frame import Frame, hull_mask
 from macram.data.geometry import is_rotation
 from macram.data.open import Dataset
@@ -34,9 +34,6 @@ def check_frame(frame: Frame) -> str | None:
         return str(error)
     if image.shape[:2] != mask.shape:
         return f"{frame.mask}: mask of {mask.shape[::-1]}, picture of {image.shape[1::-1]} pixels"
-    rotation = frame.camera[:2, :2]
-    if not (frame.camera[2] == [0, 0, 1]).all() or rotation[0, 0] <= 0 or rotation[1, 1] <= 0:
-        return f"{frame.name}: intrinsics are not those of a camera"
     if frame.mask is None or not frame.model.is_box:
         return None
     if (frame.model.keypoints @ frame.rotation[2] + frame.translation[2]).min() <= 0:
@@ -60,7 +57,10 @@ def check_all(dataset: Dataset) -> Iterator[str | None]:
     Raises:
         ValueError: the data set cannot be read at all.
     """
-    own = read_json(dataset.root / "dataset.json") if (dataset.root / "dataset.json").is_file() else None
+    own = read_object(dataset.root / "dataset.json") if (dataset.root / "dataset.json").is_file() else None
+    due = {} if own is None else own.get("frames")
+    if not isinstance(due, dict):
+        raise ValueError(f"{dataset.root / 'dataset.json'}: frames must be counts by split")
     names: dict[str, str] = {}
     for split in dataset.splits:
         frames = dataset.frames(split)
@@ -72,9 +72,10 @@ def check_all(dataset: Dataset) -> Iterator[str | None]:
                 problem = f"{frame.name}: rotation is not orthonormal to {EXACT}"
             names[frame.name] = split
             yield problem
-        if own is not None and not isinstance(dataset, Speed) and own["frames"].get(split) != len(frames):
-            due = own["frames"].get(split)
-            yield f"{dataset.root / f'{split}.txt'}: {len(frames)} frames, dataset.json says {due}"
+        if own is not None and not isinstance(dataset, Speed) and due.get(split) != len(frames):
+            yield f"{dataset.root / f'{split}.txt'}: {len(frames)} frames, dataset.json says {due.get(split)}"
+    if not names:
+        yield f"{dataset.root}: no frames"
     if own is not None:
         yield from _check_whole(dataset, own)
 

@@ -95,10 +95,10 @@ class AugmentSettings:
                 f"rotation_deg {self.rotation_deg}, scale {self.scale}, shift {self.shift}: "
                 "must lie in 0..180, 0..1 and 0..1"
             )
-        if not (self.gamma >= 1 and self.exposure >= 1 and self.noise >= 0):
+        if not (1 <= self.gamma < np.inf and 1 <= self.exposure < np.inf and 0 <= self.noise <= 255):
             raise ValueError(
                 f"gamma {self.gamma}, exposure {self.exposure}, noise {self.noise}: "
-                "must be at least 1, 1 and 0 (1, 1, 0 switch them off)"
+                "must be at least 1, at least 1, and 0..255 (1, 1, 0 switch them off)"
             )
         if self.labels not in ("exact", "reference") or self.draws not in ("shared", "independent"):
             raise ValueError(

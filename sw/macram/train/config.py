@@ -42,6 +42,8 @@ class TrainConfig:
         ends = [phase.until for phase in self.crops]
         if ends != sorted(ends) or ends[-1:] != [1.0]:
             raise ValueError(f"crops need rising ends, the last of them 1, not {ends!r}")
+        if not 0 <= self.surface_until <= 1:
+            raise ValueError(f"surface_until must lie in 0..1, not {self.surface_until!r}")
         if self.augment.labels == "reference" and any(any(phase.sizes) for phase in self.crops):
             raise ValueError('crops need exact labels; set augment.labels to "exact" or crops.sizes to [0]')
         if self.augment.centred:

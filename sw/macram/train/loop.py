@@ -33,7 +33,7 @@ from macram.train.objective import Objective
 from macram.train.optimiser import Follower, make_optimiser
 from macram.train.pack import pack_frames
 from macram.train.resume import check_same_run, under
-from macram.train.samples import score
+from macram.train.samples import score, validation_frames
 from macram.train.schedule import crop_phase, learning_rate, progress
 from macram.train.stages import Stage
 from macram.train.stopping import Clock, stop_on_signal
@@ -72,6 +72,9 @@ class Run:
             )
         device = processes.device
         self.step, self.visits, self.minutes = 0, 0, 0.0
+        self.loading = 0.0
+        if config.data.validation:  # now, not when the first scores are due
+            validation_frames(self.config)
         self.frames = self._packed()
         self.stage = Stage(config, self.frames)
         self.augment = self.stage.augmentation()
@@ -187,9 +190,10 @@ class Run:
                     "visits": self.visits,
                     "minutes": clock.minutes,
                     "img_s": rate,
+                    "loading": 100 * self.loading / max(now - since, 1e-9),
                     **means,
                 }
-                sums, counted, summed = {}, 0, 0
+                sums, counted, summed, self.loading = {}, 0, 0, 0.0
                 every = config.log.evaluate_minutes
                 if first and every and clock.minutes - scored >= every:
                     row |= self._score(log)
@@ -239,7 +243,10 @@ class Run:
         side = int(rng.choice(crop_phase(self.config, done).sizes))
         size = (side, side) if side else self.frames.size
         chosen = frame_order(self.config.run.seed, len(self.frames), self.visits, images)
-        return *self._batch(chosen, rng, size), size[0]
+        start = time.monotonic()
+        batch, cells = self._batch(chosen, rng, size)
+        self.loading += time.monotonic() - start
+        return batch, cells, size[0]
 
     def _gradients(self, batch: Batch, cells: Cells, images: int, *, surface: bool) -> dict[str, Tensor]:
         """Forward and backward: losses by name, gradients of all processes."""
@@ -309,7 +316,8 @@ class Run:
         if not self.config.data.validation:
             return {}
         self.result.eval()
-        scores, sheet = score(self.config, self.result, self.stage.card, self.processes.device)
+        frames = validation_frames(self.config)
+        scores, sheet = score(frames, self.result, self.stage.card, self.processes.device)
         self.stage.module.train()
         (self.folder / "samples").mkdir(parents=True, exist_ok=True)
         write_picture(self.folder / "samples" / f"{self.step:07d}.jpg", sheet)

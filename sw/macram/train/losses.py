@@ -6,6 +6,7 @@ rate. Everything is computed in float32, whatever the network's precision.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import torch
@@ -30,12 +31,24 @@ class LossWeights:
         pose: of `object_space_loss`.
         similarity: of `similarity_loss`; 0.25 in the paper, 1 in the published SwissCube code.
         surface: of the training-only head's loss; departs from the paper.
+        pose_scale: see `POSE_SCALE`; read by the pose loss.
+
+    Raises:
+        ValueError: a factor below 0, a scale of 0, or no number.
     """
 
     classes: float = 0.01
     pose: float = 0.1
     similarity: float = 0.25
     surface: float = 0.1
+    pose_scale: float = POSE_SCALE
+
+    def __post_init__(self) -> None:
+        for name in ("classes", "pose", "similarity", "surface"):
+            if not 0 <= getattr(self, name) < math.inf:
+                raise ValueError(f"loss.{name} must be a number of at least 0, not {getattr(self, name)!r}")
+        if not 0 < self.pose_scale < math.inf:
+            raise ValueError(f"loss.pose_scale must be above 0, not {self.pose_scale!r}")
 
 
 def focal_loss(logits: Tensor, labels: Tensor) -> Tensor:

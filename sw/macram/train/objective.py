@@ -65,7 +65,9 @@ class Objective:
         scale = PER_IMAGES / images
         rays = normalised(pixels, batch.camera[:, None, None])
         points = batch.points[:, None].expand(-1, SLOTS, -1, -1)
-        pose = object_space_loss(rays.flatten(0, 1), points.flatten(0, 1), self.identity, self.diameter)
+        pose = object_space_loss(
+            rays.flatten(0, 1), points.flatten(0, 1), self.identity, self.diameter, self.weights.pose_scale
+        )
         losses = {
             "class": self.weights.classes * scale * focal_loss(logits, labels),
             "pose": self.weights.pose * scale * pose,

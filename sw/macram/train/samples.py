@@ -24,16 +24,29 @@ from macram.train.predict import Predictor, evaluate_frames
 PICTURES, COLUMNS, SIDE = 8, 4, 320
 
 
+def validation_frames(config: TrainConfig) -> list[Frame]:
+    """The frames that a run is scored on, evenly spaced in their split.
+
+    Raises:
+        ValueError: no such split, an empty one, or a bad file.
+    """
+    settings = config.data
+    frames = open_dataset(Path(settings.root), settings.shrink).frames(settings.validation)
+    if not frames:
+        raise ValueError(
+            f'{settings.root}: split {settings.validation} has no frames; set data.validation to another or ""'
+        )
+    return thinned(frames, config.log.evaluate_frames)
+
+
 def score(
-    config: TrainConfig, net: SpaceNet, card: Card, device: torch.device
+    frames: Sequence[Frame], net: SpaceNet, card: Card, device: torch.device
 ) -> tuple[dict[str, float], NDArray[np.uint8]]:
-    """Looks at ``config.log.evaluate_frames`` of the validation frames.
+    """How well a network does on ``frames``.
 
     Returns:
         Share of frames, %, with ADD below 0.1, 0.2 and 0.5 diameters, and of misses; and `sample_sheet`.
     """
-    dataset = open_dataset(Path(config.data.root), config.data.shrink)
-    frames = thinned(dataset.frames(config.data.validation), config.log.evaluate_frames)
     evaluation, detections = evaluate_frames(Predictor(net, card, device), frames)
     table = evaluation.summary["fixed"]["all"]
     scores = {f"add_{limit}": table["add"][limit] for limit in ("0.1", "0.2", "0.5")}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields, replace
 
 from macram.model import SIZES, VARIANTS, Faults, SpaceNetConfig, spacenet_config
@@ -20,8 +21,8 @@ def _choice(name: str, value: str, known: tuple[str, ...]) -> None:
 
 
 def _least(name: str, value: float, lowest: float) -> None:
-    if not value >= lowest:
-        raise ValueError(f"{name} must be at least {lowest:g}, not {value!r}")
+    if not lowest <= value < math.inf:
+        raise ValueError(f"{name} must be a number of at least {lowest:g}, not {value!r}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +51,7 @@ class RunSettings:
     def __post_init__(self) -> None:
         _choice("run.stage", self.stage, STAGES)
         _choice("run.precision", self.precision, ("auto", "bf16", "fp32"))
+        _least("run.seed", self.seed, 0)
         if not self.out:
             raise ValueError("run.out must name a folder for checkpoints and logs")
         if self.stage != "wdr" and not self.init:
@@ -110,7 +112,7 @@ class OptimiserSettings:
 
     def __post_init__(self) -> None:
         _choice("optimiser.kind", self.kind, ("sgd", "adamw"))
-        if not self.lr > 0:
+        if not 0 < self.lr < math.inf:
             raise ValueError(f"optimiser.lr must be above 0, not {self.lr!r}")
         for name in ("momentum", "average"):
             if not 0 <= getattr(self, name) < 1:
@@ -152,6 +154,14 @@ class ScheduleSettings:
         _least("schedule.batch", self.batch, 1)
         _least("schedule.warmup", self.warmup, 0)
         _least("schedule.max_minutes", self.max_minutes, 0)
+        if not all(0 < share <= 1 for share in self.milestones) or list(self.milestones) != sorted(
+            self.milestones
+        ):
+            raise ValueError(
+                f"schedule.milestones must rise, above 0 and at most 1, not {list(self.milestones)!r}"
+            )
+        if not 0 < self.decay <= 1:
+            raise ValueError(f"schedule.decay must be above 0 and at most 1, not {self.decay!r}")
         if self.by_clock and not self.max_minutes:
             raise ValueError("schedule.by_clock needs schedule.max_minutes")
 
@@ -251,6 +261,10 @@ class NetworkSettings:
     def __post_init__(self) -> None:
         _choice("network.size", self.size, tuple(SIZES))
         _choice("network.variant", self.variant, VARIANTS)
+        if self.image_size < 32 or self.image_size % 32:
+            raise ValueError(f"network.image_size must be a multiple of 32, not {self.image_size!r}")
+        if not 0 < self.tde_factor <= 1:
+            raise ValueError(f"network.tde_factor must be above 0 and at most 1, not {self.tde_factor!r}")
         for fault in self.faults or ():
             _choice("network.faults", fault, tuple(f.name for f in fields(Faults)))
 

@@ -43,6 +43,11 @@ class Stage:
         if config.run.init:
             self._continue(Path(config.run.init), generator)
         else:
+            if max(frames.size) != config.network.image_size:
+                raise ValueError(
+                    f"{config.data.root}: frames of {frames.size[1]}x{frames.size[0]} pixels; set network.image_size "
+                    f"to {max(frames.size)}, not {config.network.image_size}"
+                )
             self.net = self.module = SpaceNet(config.network.build(len(model.keypoints)), generator)
             if config.run.backbone:
                 load_backbone(self.net, Path(config.run.backbone))
