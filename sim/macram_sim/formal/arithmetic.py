@@ -7,27 +7,27 @@ from macram_sim.formal.harness import OPENING
 from macram_sim.formal.proof import Break, Proof
 
 SUM_BITS = 12
-"""Wider than any sum in these proofs needs."""
+"""Wider than any lane sum in these proofs needs."""
 
 
-def lane_sums(config: ArrayConfig, pixels: str, taps: str, name: str) -> str:
-    """Plain lane sums of one row engine as signed wires ``name0 ...`` of ``SUM_BITS`` bits."""
+def lane_sums(config: ArrayConfig, pixels: str, taps: str, name: str, *, row: int = 0, rows: int = 1) -> str:
+    """Plain lane sums of one of ``rows`` row engines as signed wires ``name0 ...`` of ``SUM_BITS`` bits.
+
+    Operands lie as in a unit: pixels pixel-major, taps row by row.
+    """
     act, weight = config.input.bits, config.weight.bits
-    text = []
+    operand, text = f"wire signed [{SUM_BITS - 1}:0] {name}", []
     for i in range(GROUP):
-        field = f"{pixels}[{(i + 1) * act - 1}:{i * act}]"
-        text.append(
-            f"    wire signed [{SUM_BITS - 1}:0] {name}_p{i} = "
-            + (f"$signed({field});" if config.input.signed else f"{field};")
-        )
+        at = (i * rows + row) * act
+        field = f"{pixels}[{at + act - 1}:{at}]"
+        text.append(f"{operand}p{i} = {f'$signed({field})' if config.input.signed else field};")
     for j in range(TAPS):
-        text.append(
-            f"    wire signed [{SUM_BITS - 1}:0] {name}_w{j} = $signed({taps}[{(j + 1) * weight - 1}:{j * weight}]);"
-        )
+        at = (row * TAPS + j) * weight
+        text.append(f"{operand}w{j} = $signed({taps}[{at + weight - 1}:{at}]);")
     for k in range(LANES):
-        terms = [f"{name}_p{k - j} * {name}_w{j}" for j in range(TAPS) if 0 <= k - j < GROUP]
-        text.append(f"    wire signed [{SUM_BITS - 1}:0] {name}{k} = {' + '.join(terms)};")
-    return "\n".join(text) + "\n"
+        terms = [f"{name}p{k - j} * {name}w{j}" for j in range(TAPS) if 0 <= k - j < GROUP]
+        text.append(f"{operand}{k} = {' + '.join(terms)};")
+    return "".join(f"    {line}\n" for line in text)
 
 
 def _engine() -> str:
