@@ -164,11 +164,10 @@ def _loader() -> dict[str, str]:
     return _component(lambda: Loader(LOADS))
 
 
-def _engine() -> dict[str, str]:
+def _engine(kind: str, *models: str) -> dict[str, str]:
     from macram_hw.engine import make_engine  # noqa: PLC0415
 
-    config = ArrayConfig()
-    return _component(lambda: make_engine(config.engine, config))
+    return _component(lambda: make_engine(kind, ArrayConfig(engine=kind)), *models)
 
 
 DESIGNS: dict[str, Callable[[], dict[str, str]]] = {
@@ -180,7 +179,9 @@ DESIGNS: dict[str, Callable[[], dict[str, str]]] = {
     "array": _array,
     "unit": _unit,
     "loader": _loader,
-    "engine": _engine,
+    "engine portable": lambda: _engine("portable"),
+    "engine soft": lambda: _engine("soft", "macram_add3.v", "macram_product.v"),
+    "engine dsp48e2": lambda: _engine("dsp48e2", "DSP48E2.v"),
 }
 """Name -> files of the exported design, the module `DUT` and what it instantiates."""
 
