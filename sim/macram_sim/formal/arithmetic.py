@@ -2,77 +2,98 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from macram.spec import ENGINE_LATENCY, GROUP, LANES, TAPS, ArrayConfig
 from macram_sim.formal.harness import OPENING
 from macram_sim.formal.proof import Break, Proof
 
 SUM_BITS = 12
-"""Wider than any sum in these proofs needs."""
+"""Wider than any lane sum in these proofs needs."""
 
 
-def lane_sums(config: ArrayConfig, pixels: str, taps: str, name: str) -> str:
-    """Plain lane sums of one row engine as signed wires ``name0 ...`` of ``SUM_BITS`` bits."""
+def lane_sums(config: ArrayConfig, pixels: str, taps: str, name: str, *, row: int = 0, rows: int = 1) -> str:
+    """Plain lane sums of one of ``rows`` row engines as signed wires ``name0 ...`` of ``SUM_BITS`` bits.
+
+    Operands lie as in a unit: pixels pixel-major, taps row by row.
+    """
     act, weight = config.input.bits, config.weight.bits
-    text = []
+    operand, text = f"wire signed [{SUM_BITS - 1}:0] {name}", []
     for i in range(GROUP):
-        field = f"{pixels}[{(i + 1) * act - 1}:{i * act}]"
-        text.append(
-            f"    wire signed [{SUM_BITS - 1}:0] {name}_p{i} = "
-            + (f"$signed({field});" if config.input.signed else f"{field};")
-        )
+        at = (i * rows + row) * act
+        field = f"{pixels}[{at + act - 1}:{at}]"
+        text.append(f"{operand}p{i} = {f'$signed({field})' if config.input.signed else field};")
     for j in range(TAPS):
-        text.append(
-            f"    wire signed [{SUM_BITS - 1}:0] {name}_w{j} = $signed({taps}[{(j + 1) * weight - 1}:{j * weight}]);"
-        )
+        at = (row * TAPS + j) * weight
+        text.append(f"{operand}w{j} = $signed({taps}[{at + weight - 1}:{at}]);")
     for k in range(LANES):
-        terms = [f"{name}_p{k - j} * {name}_w{j}" for j in range(TAPS) if 0 <= k - j < GROUP]
-        text.append(f"    wire signed [{SUM_BITS - 1}:0] {name}{k} = {' + '.join(terms)};")
-    return "\n".join(text) + "\n"
+        terms = [f"{name}p{k - j} * {name}w{j}" for j in range(TAPS) if 0 <= k - j < GROUP]
+        text.append(f"{operand}{k} = {' + '.join(terms)};")
+    return "".join(f"    {line}\n" for line in text)
 
 
-def _engine() -> str:
-    from macram_hw.engine import make_engine  # noqa: PLC0415
+def _engine(kind: str) -> Callable[[], str]:
+    def harness() -> str:
+        from macram_hw.engine import make_engine  # noqa: PLC0415
 
-    config = ArrayConfig()
-    kind, latency = config.engine, config.engine_latency
-    pixels, taps = GROUP * config.input.bits, TAPS * config.weight.bits
-    width = len(make_engine(kind, config).lanes[0])
-    delays = "".join(f"pixels{i} <= pixels{i - 1}; taps{i} <= taps{i - 1}; " for i in range(1, latency + 1))
-    registers = "".join(
-        f"    reg [{pixels - 1}:0] pixels{i}; reg [{taps - 1}:0] taps{i};\n" for i in range(1, latency + 1)
-    )
-    checks = "".join(
-        f"        assert ($signed(lanes[{(k + 1) * width - 1}:{k * width}])"
-        f" + $signed({{1'b0, carries[{k}]}}) == sum{k});\n"
-        for k in range(LANES)
-    )
-    return (
-        OPENING
-        + f"    (* anyseq *) wire [{pixels - 1}:0] pixels0; (* anyseq *) wire [{taps - 1}:0] taps0;\n"
-        + f"    wire [{LANES * width - 1}:0] lanes; wire [{LANES - 1}:0] carries;\n"
-        + "    dut dut(.clk(clk), .rst(1'b0), .pixels(pixels0), .taps(taps0), .lanes(lanes), .carries(carries));\n"
-        + registers
-        + f"    always @(posedge clk) begin {delays}end\n"
-        + lane_sums(config, f"pixels{latency}", f"taps{latency}", "sum")
-        + f"    always @(posedge clk) if (age > {latency}) begin\n{checks}    end\nendmodule\n"
-    )
+        config, latency = ArrayConfig(engine=kind), ENGINE_LATENCY[kind]
+        pixels, taps = GROUP * config.input.bits, TAPS * config.weight.bits
+        width = len(make_engine(kind, config).lanes[0])
+        delays = "".join(
+            f"pixels{i} <= pixels{i - 1}; taps{i} <= taps{i - 1}; " for i in range(1, latency + 1)
+        )
+        registers = "".join(
+            f"    reg [{pixels - 1}:0] pixels{i}; reg [{taps - 1}:0] taps{i};\n"
+            for i in range(1, latency + 1)
+        )
+        checks = "".join(
+            f"        assert ($signed(lanes[{(k + 1) * width - 1}:{k * width}])"
+            f" + $signed({{1'b0, carries[{k}]}}) == sum{k});\n"
+            for k in range(LANES)
+        )
+        return (
+            OPENING
+            + f"    (* anyseq *) wire [{pixels - 1}:0] pixels0; (* anyseq *) wire [{taps - 1}:0] taps0;\n"
+            + f"    wire [{LANES * width - 1}:0] lanes; wire [{LANES - 1}:0] carries;\n"
+            + "    dut dut(.clk(clk), .rst(1'b0), .pixels(pixels0), .taps(taps0), .lanes(lanes),"
+            + " .carries(carries));\n"
+            + registers
+            + f"    always @(posedge clk) begin {delays}end\n"
+            + lane_sums(config, f"pixels{latency}", f"taps{latency}", "sum")
+            + f"    always @(posedge clk) if (age > {latency}) begin\n{checks}    end\nendmodule\n"
+        )
+
+    return harness
 
 
-ARITHMETIC: tuple[Proof, ...] = (
-    Proof(
-        "engine-portable",
-        "a portable row engine gives the six plain lane sums, for all operands",
-        "engine",
-        _engine,
-        ENGINE_LATENCY["portable"] + 2,
-        False,
-        ("engine",),
-        (
-            Break(
-                "engine.py",
-                "self.pixels[k - j] * self.taps[j] for j",
-                "self.pixels[k - j] * self.taps[j][:2] for j",
-            ),
-        ),
+_ENGINE = "engine.py"
+_BREAKS = {
+    "portable": (
+        Break(_ENGINE, "self.pixels[i] * self.taps[j] for i", "self.pixels[i] * self.taps[j][:2] for i"),
     ),
+    "soft": (
+        Break(_ENGINE, "product.a.eq(self.pixels[i])", "product.a.eq(self.pixels[i][:2])"),
+        Break("product.py", "i_w=self.w", "i_w=self.w[:2]"),
+        Break("add3.py", "i_c=self.c", "i_c=self.c[1:]"),
+    ),
+    "dsp48e2": (
+        Break(_ENGINE, "fields[k + 1][0] ^ parity[self.WIDE.index(k)]", "fields[k][-1]"),
+        Break(_ENGINE, "self.carries[k].eq(borrow[k - 1])", "self.carries[k].eq(borrow[k])"),
+        Break("dsp48e2.py", 'p_BMULTSEL="AD"', 'p_BMULTSEL="B"'),
+    ),
+}
+
+ARITHMETIC: tuple[Proof, ...] = tuple(
+    Proof(
+        f"engine-{kind}",
+        f"a {kind} row engine gives the six plain lane sums, for all operands",
+        f"engine {kind}",
+        _engine(kind),
+        ENGINE_LATENCY[kind] + 2,
+        False,
+        ("engine", {"soft": "product", "dsp48e2": "dsp48e2"}.get(kind, "engine")),
+        breaks,
+        primitives=kind == "soft",
+    )
+    for kind, breaks in _BREAKS.items()
 )

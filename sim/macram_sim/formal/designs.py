@@ -6,11 +6,13 @@ can be another, broken copy of the gateware.
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
-from macram.spec import GROUP, ArrayConfig, IntFormat
+from macram.spec import GROUP, LANES, ArrayConfig, IntFormat
 
 DUT = "dut"
 BEAT, WORD = 8, 6
@@ -20,6 +22,16 @@ SMALL = ArrayConfig(
     stream_bits=32, weight=IntFormat(2, signed=True), input=IntFormat(2), output=IntFormat(2),
 )  # fmt: skip
 """The smallest array with several blocks, tiles and groups."""
+UNIT = replace(ArrayConfig(), name="unit", rows=3, max_c_in=1023)
+"""Accumulators, formats and tiles of the reference array, on a unit of three row engines, the fewest with an adder."""
+WATCHED = UNIT.accumulator.bits + 4
+"""Bits of the signals inside a unit that a harness sees: more than their sums need."""
+CARRIES = range(LANES - GROUP)
+"""Lanes that start from what the group before left."""
+LOADS = replace(
+    SMALL, name="loads", rows=4, weight=IntFormat(3, signed=True), input=IntFormat(3), output=IntFormat(2)
+)
+"""Loads of words that take several beats, and whose last beat is not full."""
 ABSTRACT = """
 // Memories and units with any contents: what holds with them holds whatever is stored and computed.
 module macram_ram #(parameter WIDTH = 1, DEPTH = 1, ADDR_BITS = 1, LANES = 1, INIT_FILE = "") (
@@ -36,6 +48,17 @@ module macram_unit(
 );
     (* anyseq *) wire [{chain}:0] any;
     assign chain_o = any;
+endmodule
+"""
+CARRY_MEMORY = """
+// A carry memory with any contents, but for its last word, which is never written.
+module macram_lutram #(parameter WIDTH = 1, DEPTH = 1, ADDR_BITS = 1, LANES = 1, INIT_FILE = "") (
+    input wire clk, input wire [LANES-1:0] write_en, input wire [ADDR_BITS-1:0] write_addr,
+    input wire [WIDTH-1:0] write_data, input wire [ADDR_BITS-1:0] read_addr, output wire [WIDTH-1:0] read_data
+);
+    (* anyseq *) wire [WIDTH-1:0] any;
+    assign read_data = read_addr == DEPTH - 1 ? {WIDTH{1'b0}} : any;
+    always @(posedge clk) if (write_en) assert (write_addr < DEPTH - 1);
 endmodule
 """
 
@@ -99,11 +122,52 @@ def _array() -> dict[str, str]:
     return _component(lambda: Array(SMALL)) | _abstract()
 
 
-def _engine() -> dict[str, str]:
+def _unit() -> dict[str, str]:
+    """A unit whose lanes, lane sums, accumulators and carries are ports too; its carry memories hold anything."""
+    from macram_hw.engine import lane_shape  # noqa: PLC0415
+    from macram_hw.unit import UnitCore  # noqa: PLC0415
+
+    texts = _component(lambda: UnitCore(UNIT), "macram_add3.v")
+    before, module = texts["dut.v"].split(f"module {DUT}(")
+    module, after = module.split("endmodule", 1)
+    inside = {f"acc{k}": f"$signed(acc{k})" for k in range(LANES)}
+    for k in range(LANES):
+        terms = sorted(set(re.findall(rf"reg .*\b(sum{k}_\d+) =", module)))
+        inside[f"sum{k}"] = " + ".join(f"$signed({term})" for term in terms)
+
+    def connected(instance: str, port: str) -> str:
+        (ports,) = re.findall(rf"\s{instance} \(([^;]*)\);", module)
+        (signal,) = re.findall(rf"\.{port}\(([^)]*)\)", ports)
+        return str(signal)
+
+    width = lane_shape(UNIT).width
+    for row in range(UNIT.rows):
+        lanes = connected(f"engine{row}", "lanes")
+        inside |= {
+            f"engine{row}_{k}": f"$signed({lanes}[{(k + 1) * width - 1}:{k * width}])" for k in range(LANES)
+        }
+    for k in CARRIES:
+        inside[f"read{k}"] = f"$signed({connected(f'carry{k}', 'read_data')})"
+        inside[f"write{k}"] = f"$signed({connected(f'carry{k}', 'write_data')})"
+    ports = "".join(f"watched_{name}, " for name in inside)
+    wires = "".join(
+        f"  output signed [{WATCHED - 1}:0] watched_{name}; assign watched_{name} = {value};\n"
+        for name, value in inside.items()
+    )
+    texts["dut.v"] = f"{before}module {DUT}({ports}{module}{wires}endmodule{after}"
+    return texts | {"carries.v": CARRY_MEMORY}
+
+
+def _loader() -> dict[str, str]:
+    from macram_hw.loader import Loader  # noqa: PLC0415
+
+    return _component(lambda: Loader(LOADS))
+
+
+def _engine(kind: str, *models: str) -> dict[str, str]:
     from macram_hw.engine import make_engine  # noqa: PLC0415
 
-    config = ArrayConfig()
-    return _component(lambda: make_engine(config.engine, config))
+    return _component(lambda: make_engine(kind, ArrayConfig(engine=kind)), *models)
 
 
 DESIGNS: dict[str, Callable[[], dict[str, str]]] = {
@@ -113,7 +177,11 @@ DESIGNS: dict[str, Callable[[], dict[str, str]]] = {
     "registers": _registers,
     "drain": _drain,
     "array": _array,
-    "engine": _engine,
+    "unit": _unit,
+    "loader": _loader,
+    "engine portable": lambda: _engine("portable"),
+    "engine soft": lambda: _engine("soft", "macram_add3.v", "macram_product.v"),
+    "engine dsp48e2": lambda: _engine("dsp48e2", "DSP48E2.v"),
 }
 """Name -> files of the exported design, the module `DUT` and what it instantiates."""
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 OPENING = """\
 module top(input wire clk);
     reg [15:0] age = 0;
@@ -25,3 +27,15 @@ def stable_stream(valid: str, ready: str, payload: str) -> str:
         end
     end
 """
+
+
+def slice_of(layout: Any, name: str) -> str:
+    """Verilog range of a field of an Amaranth layout."""
+    field = layout[name]
+    return f"{field.offset + field.width - 1}:{field.offset}"
+
+
+def packed(layout: Any, values: dict[str, str]) -> str:
+    """A Verilog concatenation of all fields of an Amaranth layout, each the low bits of the vector of that name."""
+    fields = sorted(((field.offset, field.width, str(name)) for name, field in layout), reverse=True)
+    return "{" + ", ".join(f"{values[name]}[{width - 1}:0]" for _, width, name in fields) + "}"

@@ -18,7 +18,7 @@ from macram_sim.build import SimulationError
 from macram_sim.tools import ToolError
 
 SOLVER = "yices"
-TIMEOUT = 1200
+TIMEOUT = 3000
 """Seconds after which a proof counts as not finished."""
 
 
@@ -28,11 +28,16 @@ BROKEN_DEPTH = 16
 
 @dataclass(frozen=True)
 class Break:
-    """A change of the gateware's source that the property must notice: ``old`` becomes ``new`` in ``file``."""
+    """A change of the gateware's source that the property must notice: ``old`` becomes ``new`` in ``file``.
+
+    ``late``: the fault shows only at the end of the traces, as an end that never comes; earlier cycles are not
+    searched.
+    """
 
     file: str
     old: str
     new: str
+    late: bool = False
 
     def apply(self, root: Path) -> None:
         """Change the copy of ``macram_hw`` in ``root``.
@@ -64,6 +69,7 @@ class Proof:
         modules: gateware files that the property is about.
         breaks: changes that it must notice.
         fast: takes seconds.
+        primitives: the design instantiates primitives of UltraScale, which Yosys has models of.
     """
 
     name: str
@@ -75,6 +81,7 @@ class Proof:
     modules: tuple[str, ...]
     breaks: tuple[Break, ...]
     fast: bool = True
+    primitives: bool = False
 
     @property
     def method(self) -> str:
@@ -149,15 +156,19 @@ def prove(proof: Proof, out: Path, *, mutants: bool = True) -> ProofVerdict:
                 change.apply(Path(root))
                 # A fault is a trace from reset, so broken modules are searched, not proven.
                 depth = max(proof.depth, BROKEN_DEPTH)
-                result = _solve(proof, folder / f"broken{number}", Path(root), "bmc", depth)
+                result = _solve(
+                    proof, folder / f"broken{number}", Path(root), "bmc", depth, late_only=change.late
+                )
             verdict.noticed[f"{change.file}: {change.old} -> {change.new}"] = result == "FAIL"
             if result != "FAIL":
                 verdict.fault = f"not noticed ({result}): {change.new!r} for {change.old!r} in {change.file}"
     return verdict
 
 
-def _solve(proof: Proof, folder: Path, gateware: Path, mode: str, depth: int) -> str:
-    """``PASS``, ``FAIL``, ``UNKNOWN`` or ``TIMEOUT``."""
+def _solve(
+    proof: Proof, folder: Path, gateware: Path, mode: str, depth: int, *, late_only: bool = False
+) -> str:
+    """``PASS``, ``FAIL``, ``UNKNOWN`` or ``TIMEOUT``; ``late_only`` searches the last cycle alone."""
     source = folder.parent / f"{folder.name}-source"
     source.mkdir(parents=True, exist_ok=True)
     path = [str(gateware), *(entry for entry in sys.path if entry)]
@@ -169,9 +180,14 @@ def _solve(proof: Proof, folder: Path, gateware: Path, mode: str, depth: int) ->
     (source / "top.sv").write_text(proof.harness())
     names = sorted(file.name for file in source.iterdir())
     reads = "\n".join(f"read -formal {name}" for name in names)
+    if proof.primitives:
+        reads += "\nread_verilog +/xilinx/cells_sim.v"
     files = "\n".join(str(source / name) for name in names)
+    # An assertion in a clocked block is checked in the cycle after the one that it is about.
+    steps = depth + (mode == "bmc")
+    late = f"skip {steps - 1}\n" if late_only else ""
     (folder.parent / f"{folder.name}.sby").write_text(
-        f"[options]\nmode {mode}\ndepth {depth}\ntimeout {TIMEOUT}\n\n[engines]\nsmtbmc {SOLVER}\n\n"
+        f"[options]\nmode {mode}\ndepth {steps}\n{late}timeout {TIMEOUT}\n\n[engines]\nsmtbmc {SOLVER}\n\n"
         f"[script]\n{reads}\nhierarchy -top top\nprep -top top\n\n[files]\n{files}\n"
     )
     tools = Path(sys.executable).parent
