@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -226,6 +227,8 @@ def test_three_tiles_together_exactly_where_that_takes_fewer_cycles(engine, drai
     assert array.triples(ConvSpec(1024, 191, 8, 8, 1, 1, 0)) == 1
     assert array.triples(ConvSpec(1024, 128, 8, 8, 1, 1, 0)) == 0
     assert array.triples(ConvSpec(1000, 192, 8, 8)) == 0
+    summing = replace(array, partial_sum_c_in=2048)  # its streams take sums of one tile
+    assert summing.triples(ConvSpec(1024, 192, 8, 8, 1, 1, 0)) == 0
 
 
 def test_two_taps_of_three_save_weight_words():
@@ -241,9 +244,9 @@ def test_passes_in_threes_fit_in_pairs_where_they_can(c_in):
     array = ArrayConfig(weight_depth=260, max_c_out=1024)
     for c_out in range(1, 5000, 61):
         layer = ConvSpec(c_in, c_out, 4, 4, 1, 1, 0)
-        parts = channel_passes(layer, array)
-        assert [channel for part in parts for channel in part] == list(range(c_out))
-        specs = pass_specs(layer, array)
+        passes = layer_passes(layer, array)
+        assert [channel for part in passes for channel in part.c_out] == list(range(c_out))
+        specs = [part.layer for part in passes]
         for spec in specs:
             array.check_admits(spec)
         for one, other in pairwise(specs):

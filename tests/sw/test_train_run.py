@@ -189,7 +189,7 @@ def test_the_log_tells_what_loading_costs(scene, tmp_path, monkeypatch):
     assert all(0 < share < 100 for share in usual)
     made = Run._batch
     monkeypatch.setattr(Run, "_batch", lambda *args, **kwargs: time.sleep(0.5) or made(*args, **kwargs))
-    assert min(shares(tmp_path / "slow")) > max(50, max(usual))
+    assert min(shares(tmp_path / "slow")) > max(50, *usual)
 
 
 def test_what_would_fail_at_the_end_fails_at_the_start(tables, words, scene, tmp_path):
