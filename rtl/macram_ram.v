@@ -1,12 +1,14 @@
 // Simple dual-port RAM, one clock: a write port with LANES write enables and a registered read port.
 // A read of the word being written in the same cycle is not used by the design and returns the old word.
+// STYLE: "block", or "distributed" for a memory in LUTs.
 // INIT_FILE: $readmemh file, one word per line; without one the memory starts at zero.
 module macram_ram #(
     parameter WIDTH = 72,
     parameter DEPTH = 512,
     parameter ADDR_BITS = 9,
     parameter LANES = 1,
-    parameter INIT_FILE = ""
+    parameter INIT_FILE = "",
+    parameter STYLE = "block"
 ) (
     input  wire                 clk,
     input  wire [LANES-1:0]     write_en,
@@ -18,7 +20,7 @@ module macram_ram #(
 );
     localparam LANE = WIDTH / LANES;
 
-    (* ram_style = "block" *) reg [WIDTH-1:0] mem [0:DEPTH-1];
+    (* ram_style = STYLE *) reg [WIDTH-1:0] mem [0:DEPTH-1];
 
     integer i;
     initial begin

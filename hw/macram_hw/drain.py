@@ -134,7 +134,7 @@ class Drain(wiring.Component):
             shape=config.requant_word_bits,
             depth=config.requant_depth,
             init=[],
-            attrs={"macram.init_file": "requant.mem"},
+            attrs={"macram.init_file": "requant.mem", "macram.style": config.requant_ram},
         )
         read, reload = parameters.read_port(), parameters.write_port()
         m.submodules.requant = requant = Requantiser(config)

@@ -24,6 +24,8 @@ __all__ = ["TOPLEVEL", "Export", "component_verilog", "export_verilog", "model_p
 TOPLEVEL = "macram_top"
 UNIT = "macram_unit"
 FORMAT = 1
+BLOCK = "block"
+"""Style of ``macram_ram`` unless its ``STYLE`` says otherwise."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +47,9 @@ class _ExportPlatform:
         (write,), (read,) = store.write_ports, store.read_ports
         width = Value.cast(write.data).shape().width
         module = "macram_lutram" if read.domain == "comb" else "macram_ram"
-        read_enable = {} if read.domain == "comb" else {"i_read_en": read.en}
+        options = {} if read.domain == "comb" else {"i_read_en": read.en}
+        if store.attrs.get("macram.style", BLOCK) != BLOCK:
+            options["p_STYLE"] = store.attrs["macram.style"]
         return Instance(
             module,
             p_WIDTH=width,
@@ -59,7 +63,7 @@ class _ExportPlatform:
             i_write_data=Value.cast(write.data),
             i_read_addr=read.addr,
             o_read_data=Value.cast(read.data),
-            **read_enable,
+            **options,
         )
 
     @staticmethod

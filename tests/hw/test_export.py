@@ -95,3 +95,12 @@ def test_unchanged_files_are_left_alone(exported):
     before = {path.name: path.stat().st_mtime_ns for path in exported.directory.iterdir()}
     export_verilog(TINY, exported.directory)
     assert {path.name: path.stat().st_mtime_ns for path in exported.directory.iterdir()} == before
+
+
+@pytest.mark.parametrize("style", ["block", "distributed"])
+def test_the_requantiser_memory_lies_where_the_configuration_says(tmp_path, style):
+    export_verilog(replace(TINY, requant_ram=style), tmp_path)
+    text = (tmp_path / "macram_top.v").read_text()
+    (memory,) = [part for part in text.split(");\n") if 'INIT_FILE("requant.mem")' in part]
+    assert ('.STYLE("distributed")' in memory) == (style == "distributed")
+    assert text.count(".STYLE(") == (style == "distributed")

@@ -67,6 +67,7 @@ def test_eight_output_bits_use_the_multiplier():
         ({"max_c_out": 100}, "max_c_out must be a multiple of units = 64, not 100"),
         ({"weight_depth": 2}, r"weight_depth must be in 3\.\.65536, not 2"),
         ({"row_words": 511}, "row_words must be a multiple of ingest = 2, not 511"),
+        ({"requant_ram": "ultra"}, "requant_ram must be one of block, distributed, not 'ultra'"),
         ({"engine": "fast"}, "engine must be one of .*portable.*, not 'fast'"),
         ({"soft_rows": 8}, r"soft_rows must be in 0\.\.7 with 8 rows of engine portable, not 8"),
         ({"soft_rows": -1}, r"soft_rows must be in 0\.\.7 .*, not -1"),

@@ -40,6 +40,8 @@ products as tables in the LUTs of UltraScale+. All but the first take weights an
 bits."""
 DECISION_TO_RESULT = 5
 """Cycles from the decision of a compute step to its sum in the result registers, without the row engine's."""
+RAM_STYLES = ("block", "distributed")
+"""Values of the synthesis attribute ``ram_style``."""
 PACKED_BITS = 3
 """Most bits of an operand of the kinds other than ``portable``: the lanes in a DSP slice lie 7 bits apart, and the
 operands of a product in LUTs fill the inputs of one LUT."""
@@ -68,6 +70,7 @@ class ArrayConfig:
         soft_rows: so many row engines of each unit, the last ones, are ``soft`` instead.
         partial_sum_c_in: input channels of a layer that is run in blocks of channels, whose sums leave the array
             unrounded and come back for the next block; 0 leaves that out.
+        requant_ram: where the requantiser's words lie, ``block`` or ``distributed`` (in LUTs), see `RAM_STYLES`.
 
     Raises:
         ValueError: a field is out of range or two fields do not fit together.
@@ -90,6 +93,7 @@ class ArrayConfig:
     residual_stream_bits: int = 0
     soft_rows: int = 0
     partial_sum_c_in: int = 0
+    requant_ram: str = "block"
 
     def __post_init__(self) -> None:
         limits = {
@@ -102,6 +106,8 @@ class ArrayConfig:
                 raise ValueError(f"{key} must be in {lo}..{hi}, not {value}")
         if self.engine not in ENGINE_LATENCY:
             raise ValueError(f"engine must be one of {', '.join(ENGINE_LATENCY)}, not {self.engine!r}")
+        if self.requant_ram not in RAM_STYLES:
+            raise ValueError(f"requant_ram must be one of {', '.join(RAM_STYLES)}, not {self.requant_ram!r}")
         most = 0 if self.engine == "soft" else self.rows - 1
         if not 0 <= self.soft_rows <= most:
             raise ValueError(
