@@ -26,7 +26,7 @@ from macram.train.checkpoint import (
     save_model,
     write_tensors,
 )
-from macram.train.config import TrainConfig
+from macram.train.config import TrainConfig, completed
 from macram.train.distributed import Processes, share_batch_norm
 from macram.train.logs import Bar, Log
 from macram.train.mixed import autocast_helps, exact_layers
@@ -292,7 +292,7 @@ class Run:
     def _restore(self) -> None:
         path = self.folder / LAST
         tensors, header = read_tensors(path)
-        check_same_run(path, self.config.to_dict(), header["config"])
+        check_same_run(path, self.config.to_dict(), completed(header["config"]))
         self.stage.module.load_state_dict(under(tensors, "net/"))
         if self.average is not None:
             self.average.load_state_dict(under(tensors, "average/"))
