@@ -287,7 +287,7 @@ def test_losses_equal_the_plain_sums(frames):
         )
         for m in map_sizes(64, 64)
     )
-    weights = LossWeights(classes=0.7, pose=1.3, surface=0.2)
+    weights = LossWeights(classes=0.7, pose=1.3, surface=0.2, pose_scale=200.0)
     objective = Objective(weights, DIAMETER, torch.from_numpy(CORNERS))
     got = objective.factual(predictions, batch, cells, 8, surface=True)
 
@@ -299,7 +299,7 @@ def test_losses_equal_the_plain_sums(frames):
         classes += focal_loss(prediction.logits, mine)
         image, _, row, column = (mine == POSITIVE).nonzero(as_tuple=True)
         pixels = decode(prediction.offsets, level, LEVELS)[image, row, column]
-        pose += object_space_loss(pixels, batch.points[image], batch.camera[image], DIAMETER)
+        pose += object_space_loss(pixels, batch.points[image], batch.camera[image], DIAMETER, 200.0)
         start += n
     assert PER_IMAGES == 8
     assert float(got["class"]) == pytest.approx(0.7 * float(classes), rel=1e-5)

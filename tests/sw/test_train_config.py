@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from macram.cli.train_verb import overrides
-from macram.train.config import TrainConfig, load_config
+from macram.train.config import TrainConfig, completed, load_config
 from macram.train.schedule import crop_phase, learning_rate, progress
 from macram.train.settings import CropPhase, ScheduleSettings
 
@@ -96,6 +96,13 @@ def test_overrides_read_toml_values_and_bare_words():
     assert given == {"schedule.steps": 7, "run.out": "runs/a", "optimiser.lr": 0.5, "network.surface": True}
     with pytest.raises(ValueError, match="KEY=VALUE"):
         overrides(["steps"])
+
+
+def test_records_from_before_a_setting_mean_its_default():
+    config = TrainConfig.from_dict(changed(optimiser={"lr": 0.5}))
+    record = config.to_dict()
+    del record["loss"]["pose_scale"]
+    assert completed(record) == config.to_dict()
 
 
 def test_published_schedule():

@@ -171,13 +171,6 @@ def test_an_existing_run_is_neither_overwritten_nor_resumed_otherwise(scene, tmp
         Run(other, ALONE, None, resume=True)
 
 
-@pytest.mark.parametrize(
-    ("tables", "words"),
-    [
-        ({"data": {"validation": "held-out"}}, "no split 'held-out'; it has training, validation"),
-        ({"network": {"image_size": 128}}, "frames of 64x64 pixels; set network.image_size to 64, not 128"),
-    ],
-)
 def test_the_log_tells_what_loading_costs(scene, tmp_path, monkeypatch):
     def shares(folder):
         Run(config(scene, folder), ALONE, None).train()
@@ -192,6 +185,13 @@ def test_the_log_tells_what_loading_costs(scene, tmp_path, monkeypatch):
     assert min(shares(tmp_path / "slow")) > max(50, *usual)
 
 
+@pytest.mark.parametrize(
+    ("tables", "words"),
+    [
+        ({"data": {"validation": "held-out"}}, "no split 'held-out'; it has training, validation"),
+        ({"network": {"image_size": 128}}, "frames of 64x64 pixels; set network.image_size to 64, not 128"),
+    ],
+)
 def test_what_would_fail_at_the_end_fails_at_the_start(tables, words, scene, tmp_path):
     with pytest.raises(ValueError, match=words):
         Run(config(scene, tmp_path / "run", **tables), ALONE, None)

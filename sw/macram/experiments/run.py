@@ -17,6 +17,7 @@ from macram.experiments.plan import LAST, MODEL, RESULT, Job
 from macram.pose import Evaluation
 from macram.report.files import write_json, write_text
 from macram.train.checkpoint import Card, load_model
+from macram.train.config import completed
 from macram.train.distributed import join_processes, processor_name
 from macram.train.loop import Run
 from macram.train.pack import thinned
@@ -126,7 +127,7 @@ def check_configuration(job: Job, card: Card) -> None:
     Raises:
         ValueError: a setting differs.
     """
-    theirs = card.history[-1]["config"]
+    theirs = completed(card.history[-1]["config"])
     mine = job.config(Path("runs")).to_dict()
     if wrong := differences(mine, theirs):
         key, value = next(iter(wrong.items()))

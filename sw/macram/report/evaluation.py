@@ -219,6 +219,9 @@ def _plot_ranges(axis: Any, summary: Mapping[str, Any]) -> None:
 
 
 def _plot_parts(axis: Any, evaluation: Evaluation) -> None:
+    # Late, as in `evaluation_png`: Matplotlib is slow to load.
+    from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter  # noqa: PLC0415
+
     found = np.array([row["detected"] for row in evaluation.rows], bool)
     colours = np.array([_COLOURS[row["fixed"]] for row in evaluation.rows])[found]
     rotation = np.maximum(_column(evaluation, "re_deg")[found], 1e-3)
@@ -227,5 +230,10 @@ def _plot_parts(axis: Any, evaluation: Evaluation) -> None:
         axis.scatter(rotation, translation, s=7, c=colours, alpha=0.6, linewidths=0)
         axis.set_xscale("log")
         axis.set_yscale("log")
+        for line in (axis.xaxis, axis.yaxis):
+            # Matplotlib's own labels of a range below two decades run into each other.
+            line.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            line.set_major_formatter(StrMethodFormatter("{x:g}"))
+            line.set_minor_formatter(NullFormatter())
     axis.set(xlabel="rotation error (deg)", ylabel="translation error (% of the distance)")
     axis.set_title("Rotation against translation", fontsize=11)

@@ -65,6 +65,11 @@ class TrainConfig:
         return config
 
 
+def completed(values: Mapping[str, Any]) -> dict[str, Any]:
+    """A recorded configuration with the settings that were added since, at their defaults: what it meant."""
+    return TrainConfig.from_dict(values).to_dict()
+
+
 def load_config(path: Path, overrides: Mapping[str, Any] | None = None) -> TrainConfig:
     """Reads a TOML file.
 

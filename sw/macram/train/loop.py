@@ -24,7 +24,7 @@ from macram.train.checkpoint import (
     save_model,
     write_tensors,
 )
-from macram.train.config import TrainConfig
+from macram.train.config import TrainConfig, completed
 from macram.train.distributed import Processes, share_batch_norm
 from macram.train.few_channels import widen_batch_norm
 from macram.train.logs import Bar, Log
@@ -303,7 +303,7 @@ class Run:
     def _restore(self) -> None:
         path = self.folder / LAST
         tensors, header = read_tensors(path)
-        check_same_run(path, self.config.to_dict(), header["config"])
+        check_same_run(path, self.config.to_dict(), completed(header["config"]))
         self.stage.module.load_state_dict(under(tensors, "net/"))
         if self.average is not None:
             self.average.load_state_dict(under(tensors, "average/"))

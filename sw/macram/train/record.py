@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from macram.train.checkpoint import Card
-from macram.train.config import load_config
+from macram.train.config import completed, load_config
 
 WHEREABOUTS = ("log", "run.out", "run.init", "data.root", "data.cache")
 """Settings that say where and how often, not what."""
@@ -50,7 +50,7 @@ def stage_records(card: Card, configs: Sequence[Path]) -> list[dict[str, Any]]:
 def train_command(path: Path, config: Mapping[str, Any]) -> str:
     """``macram train PATH --set ...`` that gives ``config``, folders apart."""
     words = ["macram", "train", path.as_posix()]
-    for key, value in sorted(differences(load_config(path).to_dict(), config).items()):
+    for key, value in sorted(differences(load_config(path).to_dict(), completed(config)).items()):
         words += ["--set", f"{key}={value if isinstance(value, str) else _toml(value)}"]
     return shlex.join(words)
 
