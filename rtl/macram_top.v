@@ -186,7 +186,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .\o__ready$8 (m_axis_tready),
     .\o__valid$7 (m_axis_tvalid),
     .output_stalls(output_stalls),
-    .\port$1309$0 (command),
+    .\port$1305$0 (command),
     .requant_base(requant_base),
     .rst(rst),
     .weight_base(weight_base),
@@ -227,8 +227,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .output_stalls(output_stalls),
     .param_base(param_base),
     .param_words(words),
-    .\port$1363$0 (done),
-    .\port$1369$0 (error),
+    .\port$1359$0 (done),
+    .\port$1365$0 (error),
     .\port$2$0 (\$1 ),
     .requant_base(requant_base),
     .rst(rst),
@@ -303,7 +303,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy, \i__ready$55 , \o__valid$7 , \i__payload$53 , \i__payload$74 , \port$1309$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$642 
+module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy, \i__ready$55 , \o__valid$7 , \i__payload$53 , \i__payload$74 , \port$1305$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$642 
 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$9 , loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
@@ -1997,8 +1997,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   wire \params__payload.last ;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1309$0 ;
-  wire [3:0] \port$1309$0 ;
+  input [3:0] \port$1305$0 ;
+  wire [3:0] \port$1305$0 ;
   wire [16:0] read;
   wire [7:0] \read.address ;
   wire \read.apart ;
@@ -2522,8 +2522,8 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \$26  = first_beat | \$signal$635 ;
   assign \$27  = ~ ended;
   assign \$signal$634  = \$26  & \$27 ;
-  assign \$28  = \port$1309$0 [2:0] - 1'h1;
-  assign \$29  = { 1'h0, \port$1309$0 [2:0] } & \$28 ;
+  assign \$28  = \port$1305$0 [2:0] - 1'h1;
+  assign \$29  = { 1'h0, \port$1305$0 [2:0] } & \$28 ;
   assign \$30  = | \$29 ;
   assign \$31  = | \wait ;
   assign \$32  = \wait  - 1'h1;
@@ -2596,7 +2596,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign last_beat = \$2  & \$4 ;
   assign \$5  = | \wait ;
   assign busy = running | \$5 ;
-  assign \$signal  = loading ? to_requant : \port$1309$0 [2];
+  assign \$signal  = loading ? to_requant : \port$1305$0 [2];
   assign load_end = base + words;
   assign \$6  = \$signal  ? 11'h100 : 11'h400;
   assign \$signal$39  = load_end > \$6 ;
@@ -2605,12 +2605,12 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \$9  = \$signal  ? requant_base : weight_base;
   assign \$10  = load_end > \$9 ;
   assign overlaps = \$8  & \$10 ;
-  assign \$signal$43  = | \port$1309$0 [2:0];
+  assign \$signal$43  = | \port$1305$0 [2:0];
   assign \$11  = ~ busy;
   assign \$12  = ~ loading;
   assign idle = \$11  & \$12 ;
-  assign \$13  = \port$1309$0 [2:0] - 1'h1;
-  assign \$14  = { 1'h0, \port$1309$0 [2:0] } & \$13 ;
+  assign \$13  = \port$1305$0 [2:0] - 1'h1;
+  assign \$14  = { 1'h0, \port$1305$0 [2:0] } & \$13 ;
   assign \$15  = | \$14 ;
   assign \$16  = ! words;
   assign \$17  = \$16  | \$signal$39 ;
@@ -2627,7 +2627,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .requant_end(requant_end),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1309$0 [3]),
+    .soft_reset(\port$1305$0 [3]),
     .weight_base(weight_base),
     .weight_end(weight_end),
     .width(width)
@@ -2647,7 +2647,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1309$0 [3]),
+    .soft_reset(\port$1305$0 [3]),
     .start(start),
     .valid(i__valid)
   );
@@ -2661,7 +2661,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .o__ready(\o__ready$8 ),
     .o__valid(\o__valid$7 ),
     .rst(rst),
-    .soft_reset(\port$1309$0 [3])
+    .soft_reset(\port$1305$0 [3])
   );
   \macram_top.array.frame  frame (
     .beats(shape[147:132]),
@@ -2674,9 +2674,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .o__ready(\o__ready$61 ),
     .o__valid(\i__valid$63 ),
     .open(open),
-    .\port$1404$0 (shape[31:0]),
+    .\port$1400$0 (shape[31:0]),
     .rst(rst),
-    .soft_reset(\port$1309$0 [3]),
+    .soft_reset(\port$1305$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
@@ -2688,9 +2688,9 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .o__payload(\i__payload$65 ),
     .o__ready(\o__ready$67 ),
     .o__valid(\i__valid$69 ),
-    .\port$1404$79 (shape[92:79]),
+    .\port$1400$79 (shape[92:79]),
     .rst(rst),
-    .soft_reset(\port$1309$0 [3])
+    .soft_reset(\port$1305$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
@@ -2704,7 +2704,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1309$0 [3]),
+    .soft_reset(\port$1305$0 [3]),
     .start(start),
     .word(activations)
   );
@@ -2716,12 +2716,12 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .i__payload(\i__payload$74 ),
     .i__ready(loading),
     .i__valid(\i__valid$78 ),
-    .\port$1686$0 (\$69 ),
-    .\port$1688$0 (\$70 ),
-    .\port$1690$0 (\$71 ),
+    .\port$1682$0 (\$69 ),
+    .\port$1684$0 (\$70 ),
+    .\port$1686$0 (\$71 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1309$0 [3]),
+    .soft_reset(\port$1305$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
     .to_requant(to_requant),
@@ -2740,7 +2740,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1309$0 [3]),
+    .soft_reset(\port$1305$0 [3]),
     .start(start),
     .starved(starved),
     .\step$51 (step),
@@ -3583,7 +3583,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     \$signal$45  = 3'h0;
     if (\$15 ) begin
       \$signal$45  = 3'h5;
-    end else if (\port$1309$0 [0]) begin
+    end else if (\port$1305$0 [0]) begin
       if (busy) begin
         \$signal$45  = 3'h5;
       end
@@ -3599,13 +3599,13 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_weights = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1309$0 [0]) begin
+    end else if (\port$1305$0 [0]) begin
     end else if (\$signal$43 ) begin
       (* full_case = 32'd1 *)
       if (loading) begin
       end else if (\$19 ) begin
       end else begin
-        start_weights = \port$1309$0 [1];
+        start_weights = \port$1305$0 [1];
       end
     end
   end
@@ -3613,13 +3613,13 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_requant = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1309$0 [0]) begin
+    end else if (\port$1305$0 [0]) begin
     end else if (\$signal$43 ) begin
       (* full_case = 32'd1 *)
       if (loading) begin
       end else if (\$19 ) begin
       end else begin
-        start_requant = \port$1309$0 [2];
+        start_requant = \port$1305$0 [2];
       end
     end
   end
@@ -3650,7 +3650,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     end else if (last_beat0) begin
       \$50  = 1'h1;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$50  = 1'h0;
     end
     if (rst) begin
@@ -3661,7 +3661,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$51  = \wait ;
     if (\$30 ) begin
-    end else if (\port$1309$0 [0]) begin
+    end else if (\port$1305$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
@@ -3671,7 +3671,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$31 ) begin
       \$51  = \$32 [1:0];
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$51  = 2'h0;
     end
     if (rst) begin
@@ -3682,7 +3682,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$52  = done;
     if (\$30 ) begin
-    end else if (\port$1309$0 [0]) begin
+    end else if (\port$1305$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
@@ -3695,7 +3695,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$37 ) begin
       \$52  = 1'h0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$52  = 1'h0;
     end
     if (rst) begin
@@ -3711,7 +3711,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$36 ) begin
       \$53  = 1'h0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$53  = 1'h0;
     end
     if (rst) begin
@@ -3727,7 +3727,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (\$36 ) begin
       \$54  = 1'h0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$54  = 1'h0;
     end
     if (rst) begin
@@ -3750,7 +3750,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
         \$55  = \error$646 ;
       end
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$55  = 3'h0;
     end
     if (rst) begin
@@ -3760,7 +3760,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$56  = step[36:27];
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$56  = 10'h000;
     end
     if (rst) begin
@@ -3770,7 +3770,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$57  = control0;
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$57  = 10'h000;
     end
     if (rst) begin
@@ -3780,7 +3780,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$58  = control1;
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$58  = 10'h000;
     end
     if (rst) begin
@@ -3790,7 +3790,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$59  = control;
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$59  = 10'h000;
     end
     if (rst) begin
@@ -3806,7 +3806,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$60  = 1'h0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$60  = 1'h0;
     end
     if (rst) begin
@@ -3822,7 +3822,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$61  = 1'h0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$61  = 1'h0;
     end
     if (rst) begin
@@ -3838,7 +3838,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$62  = 1'h0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$62  = 1'h0;
     end
     if (rst) begin
@@ -3854,7 +3854,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$63  = 32'd0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$63  = 32'd0;
     end
     if (rst) begin
@@ -3872,7 +3872,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$64  = 32'd0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$64  = 32'd0;
     end
     if (rst) begin
@@ -3891,7 +3891,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$65  = 32'd0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$65  = 32'd0;
     end
     if (rst) begin
@@ -3911,7 +3911,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$66  = 32'd0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$66  = 32'd0;
     end
     if (rst) begin
@@ -3932,7 +3932,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$67  = 32'd0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$67  = 32'd0;
     end
     if (rst) begin
@@ -3955,7 +3955,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
     if (start) begin
       \$68  = 32'd0;
     end
-    if (\port$1309$0 [3]) begin
+    if (\port$1305$0 [3]) begin
       \$68  = 32'd0;
     end
     if (rst) begin
@@ -3975,7 +3975,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \words$27  = words;
   assign param_base = base;
   assign \busy$34  = loading;
-  assign command = \port$1309$0 [2:0];
+  assign command = \port$1305$0 [2:0];
   assign \shape$52  = shape;
   assign \i__payload$54  = \i__payload$53 ;
   assign \i__ready$56  = \i__ready$55 ;
@@ -4468,7 +4468,7 @@ module \macram_top.array (\i__valid$57 , \i__valid$78 , \o__ready$8 , rst, busy,
   assign \control$630  = control;
   assign \shift$631  = shift;
   assign \chain_i$632  = \chain_o$154 ;
-  assign soft_reset = \port$1309$0 [3];
+  assign soft_reset = \port$1305$0 [3];
   assign \i__payload.data  = i__payload[47:0];
   assign \i__payload.pixel_last  = i__payload[48];
   assign \i__payload.last  = i__payload[49];
@@ -6176,51 +6176,51 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire [8:0] \$21 ;
   wire \$22 ;
   wire \$23 ;
-  wire \$24 ;
-  wire \$25 ;
-  wire \$26 ;
-  wire [3:0] \$27 ;
-  reg [3:0] \$28 ;
-  wire [12:0] \$29 ;
+  wire [3:0] \$24 ;
+  reg [3:0] \$25 ;
+  wire [12:0] \$26 ;
+  wire \$27 ;
+  wire \$28 ;
+  wire \$29 ;
   wire \$3 ;
   wire \$30 ;
   wire \$31 ;
   wire \$32 ;
   wire \$33 ;
-  wire \$34 ;
-  wire \$35 ;
-  wire \$36 ;
-  wire [5:0] \$37 ;
-  wire [5:0] \$38 ;
-  wire [2:0] \$39 ;
+  wire [5:0] \$34 ;
+  wire [5:0] \$35 ;
+  wire [2:0] \$36 ;
+  wire [18:0] \$37 ;
+  wire \$38 ;
+  wire [18:0] \$39 ;
   wire \$4 ;
-  wire [18:0] \$40 ;
-  wire \$41 ;
-  wire [18:0] \$42 ;
-  wire \$43 ;
-  wire [18:0] \$44 ;
+  wire \$40 ;
+  wire [18:0] \$41 ;
+  wire \$42 ;
+  wire [18:0] \$43 ;
+  wire \$44 ;
   wire \$45 ;
-  wire [18:0] \$46 ;
+  wire \$46 ;
   wire \$47 ;
   wire \$48 ;
   wire \$49 ;
   wire \$5 ;
   wire \$50 ;
-  wire \$51 ;
-  wire \$52 ;
-  wire \$53 ;
-  wire [2:0] \$54 ;
-  wire [12:0] \$55 ;
-  wire [2:0] \$56 ;
-  reg \$57 ;
+  wire [2:0] \$51 ;
+  wire [12:0] \$52 ;
+  wire [2:0] \$53 ;
+  reg \$54 ;
+  reg [13:0] \$55 ;
+  reg \$56 ;
+  reg [4:0] \$57 ;
   reg [13:0] \$58 ;
-  reg \$59 ;
+  reg [3:0] \$59 ;
   wire \$6 ;
-  reg [4:0] \$60 ;
-  reg [13:0] \$61 ;
-  reg [3:0] \$62 ;
-  reg [1:0] \$63 ;
-  reg [303:0] \$64 ;
+  reg [1:0] \$60 ;
+  reg [303:0] \$61 ;
+  reg \$62 ;
+  reg \$63 ;
+  reg \$64 ;
   reg \$65 ;
   reg \$66 ;
   reg \$67 ;
@@ -6229,21 +6229,18 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire \$7 ;
   reg \$70 ;
   reg \$71 ;
-  reg \$72 ;
-  reg \$73 ;
-  reg \$74 ;
+  reg [1:0] \$72 ;
+  reg [2:0] \$73 ;
+  reg [11:0] \$74 ;
   reg [1:0] \$75 ;
-  reg [2:0] \$76 ;
-  reg [11:0] \$77 ;
-  reg [1:0] \$78 ;
-  reg [1:0] \$79 ;
+  reg [1:0] \$76 ;
+  reg [3:0] \$77 ;
+  reg [3:0] \$78 ;
+  reg [3:0] \$79 ;
   wire \$8 ;
   reg [3:0] \$80 ;
   reg [3:0] \$81 ;
   reg [3:0] \$82 ;
-  reg [3:0] \$83 ;
-  reg [3:0] \$84 ;
-  reg [3:0] \$85 ;
   wire \$9 ;
   wire \$signal ;
   wire \$signal$10 ;
@@ -6494,9 +6491,6 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   wire [7:0] \write.addr ;
   wire [671:0] \write.data ;
   wire write_en;
-  assign \$11  = ~ info_now[13];
-  assign \$signal$10  = index[4] | \$11 ;
-  assign \$12  = index[3:0] == 4'hf;
   assign \$13  = \$signal$7  & \$12 ;
   assign last_cycle = \$13  & \$signal$10 ;
   assign \$14  = last_cycle & info_now[4];
@@ -6514,71 +6508,68 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   assign \$23  = ~ \$signal$36 ;
   assign \$signature__en  = \$22  & \$23 ;
   assign pixels = \$signal$35  ? { kept__data[23:12], codes[47:36], codes[11:0], kept__data[11:0] } : codes;
-  assign \$24  = ~ \$signal$35 ;
-  assign \$25  = \$signal$36  | \$24 ;
-  assign \$26  = \$signal$34  & \$25 ;
-  assign \$27  = 1'h1 << \$signal$44 ;
-  assign put__en = \$26  ? \$27  : 4'h0;
-  assign todo = \$28  >> \$signal$51 ;
-  assign \$29  = word + 1'h1;
-  assign word_last = \$29  == shape[131:120];
+  assign \$24  = 1'h1 << \$signal$44 ;
+  assign put__en = \$signal$34  ? \$24  : 4'h0;
+  assign todo = \$25  >> \$signal$51 ;
+  assign \$26  = word + 1'h1;
+  assign word_last = \$26  == shape[131:120];
   assign pixel_after = | todo[3:1];
-  assign \$30  = ~ valid;
-  assign advance = \$30  | o__ready;
-  assign \$31  = filled >> \$signal$46 ;
-  assign fetch = \$31  & advance;
-  assign \$32  = ~ todo[0];
-  assign \$33  = word_last | \$32 ;
-  assign \$34  = fetch & \$33 ;
-  assign \$35  = ~ pixel_after;
-  assign section_done = \$34  & \$35 ;
-  assign \$36  = ~ last_cycle;
-  assign \$37  = index + 1'h1;
-  assign \$38  = last_cycle ? 6'h00 : \$37 ;
-  assign \$39  = section + 1'h1;
-  assign \$40  = index[4] ? \heads$73 [56:38] : \heads$73 [37:19];
-  assign \$41  = ~ index[4];
-  assign \$42  = index[4] ? \heads$73 [132:114] : \heads$73 [113:95];
-  assign \$43  = ~ index[4];
-  assign \$44  = index[4] ? \heads$73 [208:190] : \heads$73 [189:171];
-  assign \$45  = ~ index[4];
-  assign \$46  = index[4] ? \heads$73 [284:266] : \heads$73 [265:247];
-  assign \$47  = ~ index[4];
-  assign \$48  = fetch & todo[0];
-  assign \$49  = image_last >> \$signal$46 ;
-  assign \$50  = ~ pixel_after;
-  assign \$51  = \$49  & \$50 ;
-  assign \$52  = ~ todo[0];
-  assign \$53  = \$52  | word_last;
-  assign \$54  = \$signal$51  + 1'h1;
-  assign \$55  = word + 1'h1;
-  assign \$56  = \$signal$46  + 1'h1;
+  assign \$27  = ~ valid;
+  assign advance = \$27  | o__ready;
+  assign \$28  = filled >> \$signal$46 ;
+  assign fetch = \$28  & advance;
+  assign \$29  = ~ todo[0];
+  assign \$30  = word_last | \$29 ;
+  assign \$31  = fetch & \$30 ;
+  assign \$32  = ~ pixel_after;
+  assign section_done = \$31  & \$32 ;
+  assign \$33  = ~ last_cycle;
+  assign \$34  = index + 1'h1;
+  assign \$35  = last_cycle ? 6'h00 : \$34 ;
+  assign \$36  = section + 1'h1;
+  assign \$37  = index[4] ? \heads$73 [56:38] : \heads$73 [37:19];
+  assign \$38  = ~ index[4];
+  assign \$39  = index[4] ? \heads$73 [132:114] : \heads$73 [113:95];
+  assign \$40  = ~ index[4];
+  assign \$41  = index[4] ? \heads$73 [208:190] : \heads$73 [189:171];
+  assign \$42  = ~ index[4];
+  assign \$43  = index[4] ? \heads$73 [284:266] : \heads$73 [265:247];
+  assign \$44  = ~ index[4];
+  assign \$45  = fetch & todo[0];
+  assign \$46  = image_last >> \$signal$46 ;
+  assign \$47  = ~ pixel_after;
+  assign \$48  = \$46  & \$47 ;
+  assign \$49  = ~ todo[0];
+  assign \$50  = \$49  | word_last;
+  assign \$51  = \$signal$51  + 1'h1;
+  assign \$52  = word + 1'h1;
+  assign \$53  = \$signal$46  + 1'h1;
   always @(posedge clk)
-    \$signal$3  <= \$57 ;
+    \$signal$3  <= \$54 ;
   always @(posedge clk)
-    waiting <= \$58 ;
+    waiting <= \$55 ;
   always @(posedge clk)
-    \$signal$4  <= \$59 ;
+    \$signal$4  <= \$56 ;
   always @(posedge clk)
-    index <= \$60 ;
+    index <= \$57 ;
   always @(posedge clk)
-    current <= \$61 ;
+    current <= \$58 ;
   always @(posedge clk)
-    \$signal$5  <= \$62 ;
+    \$signal$5  <= \$59 ;
   always @(posedge clk)
-    section <= \$63 ;
+    section <= \$60 ;
   always @(posedge clk)
-    accumulators <= \$64 ;
+    accumulators <= \$61 ;
   always @(posedge clk)
-    \edge  <= \$65 ;
+    \edge  <= \$62 ;
   always @(posedge clk)
     \$signal$75  <= { section, \$20 [3:0], index[3:2] };
   always @(posedge clk)
     \$signal$76  <= index[1:0];
   always @(posedge clk)
-    \$signal$77  <= \$66 ;
+    \$signal$77  <= \$63 ;
   always @(posedge clk)
-    \$signal$78  <= \$67 ;
+    \$signal$78  <= \$64 ;
   always @(posedge clk)
     \$signal$79  <= info_now[8:5];
   always @(posedge clk)
@@ -6594,9 +6585,9 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   always @(posedge clk)
     \$signal$85  <= \$signal$76 ;
   always @(posedge clk)
-    \$signal$86  <= \$68 ;
+    \$signal$86  <= \$65 ;
   always @(posedge clk)
-    \$signal$87  <= \$69 ;
+    \$signal$87  <= \$66 ;
   always @(posedge clk)
     \$signal$88  <= \$signal$79 ;
   always @(posedge clk)
@@ -6612,9 +6603,9 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   always @(posedge clk)
     \$signal$94  <= \$signal$85 ;
   always @(posedge clk)
-    \$signal$95  <= \$70 ;
+    \$signal$95  <= \$67 ;
   always @(posedge clk)
-    \$signal$96  <= \$71 ;
+    \$signal$96  <= \$68 ;
   always @(posedge clk)
     \$signal$97  <= \$signal$88 ;
   always @(posedge clk)
@@ -6630,9 +6621,9 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   always @(posedge clk)
     \$signal$44  <= \$signal$94 ;
   always @(posedge clk)
-    \$signal$34  <= \$72 ;
+    \$signal$34  <= \$69 ;
   always @(posedge clk)
-    \$signal$102  <= \$73 ;
+    \$signal$102  <= \$70 ;
   always @(posedge clk)
     \$signal$103  <= \$signal$97 ;
   always @(posedge clk)
@@ -6644,29 +6635,29 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   always @(posedge clk)
     \$signal$36  <= \$signal$101 ;
   always @(posedge clk)
-    valid <= \$74 ;
+    valid <= \$71 ;
   always @(posedge clk)
-    slot_read <= \$75 ;
+    slot_read <= \$72 ;
   always @(posedge clk)
-    meta <= \$76 ;
+    meta <= \$73 ;
   always @(posedge clk)
-    word <= \$77 ;
+    word <= \$74 ;
   always @(posedge clk)
-    \$signal$51  <= \$78 ;
+    \$signal$51  <= \$75 ;
   always @(posedge clk)
-    \$signal$46  <= \$79 ;
+    \$signal$46  <= \$76 ;
   always @(posedge clk)
-    filled <= \$80 ;
+    filled <= \$77 ;
   always @(posedge clk)
-    image_last <= \$81 ;
+    image_last <= \$78 ;
   always @(posedge clk)
-    slots0 <= \$82 ;
+    slots0 <= \$79 ;
   always @(posedge clk)
-    slots1 <= \$83 ;
+    slots1 <= \$80 ;
   always @(posedge clk)
-    slots2 <= \$84 ;
+    slots2 <= \$81 ;
   always @(posedge clk)
-    slots3 <= \$85 ;
+    slots3 <= \$82 ;
   assign \$1  = ! waiting[3:0];
   assign \$2  = ~ waiting[12];
   assign \$3  = \$1  & \$2 ;
@@ -6681,6 +6672,9 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   assign \$signal$2  = \$6  & \$10 ;
   assign \$signal$7  = \$signal$4  | \$signal$2 ;
   assign info_now = \$signal$4  ? current : waiting;
+  assign \$11  = ~ info_now[13];
+  assign \$signal$10  = index[4] | \$11 ;
+  assign \$12  = index[3:0] == 4'hf;
   macram_ram #(
     .ADDR_BITS(32'd8),
     .DEPTH(32'd256),
@@ -6739,13 +6733,13 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
     (* full_case = 32'd1 *)
     casez (\$signal$46 )
       2'h0:
-          \$28  = slots0;
+          \$25  = slots0;
       2'h1:
-          \$28  = slots1;
+          \$25  = slots1;
       2'h2:
-          \$28  = slots2;
+          \$25  = slots2;
       2'h3:
-          \$28  = slots3;
+          \$25  = slots3;
     endcase
   end
   always @* begin
@@ -6770,95 +6764,95 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$57  = \$signal$3 ;
+    \$54  = \$signal$3 ;
     if (finished) begin
-      \$57  = 1'h1;
+      \$54  = 1'h1;
     end else if (\$signal$2 ) begin
-      \$57  = 1'h0;
+      \$54  = 1'h0;
     end
     if (start) begin
-      \$57  = 1'h0;
+      \$54  = 1'h0;
     end
     if (soft_reset) begin
-      \$57  = 1'h0;
+      \$54  = 1'h0;
     end
     if (rst) begin
-      \$57  = 1'h0;
+      \$54  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$58  = waiting;
+    \$55  = waiting;
     if (finished) begin
-      \$58  = info;
+      \$55  = info;
     end
     if (soft_reset) begin
-      \$58  = 14'h0000;
+      \$55  = 14'h0000;
     end
     if (rst) begin
-      \$58  = 14'h0000;
+      \$55  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$59  = \$signal$4 ;
+    \$56  = \$signal$4 ;
     if (\$signal$7 ) begin
-      \$59  = \$36 ;
+      \$56  = \$33 ;
     end
     if (start) begin
-      \$59  = 1'h0;
+      \$56  = 1'h0;
     end
     if (soft_reset) begin
-      \$59  = 1'h0;
+      \$56  = 1'h0;
     end
     if (rst) begin
-      \$59  = 1'h0;
+      \$56  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$60  = index;
+    \$57  = index;
     if (\$signal$7 ) begin
-      \$60  = \$38 [4:0];
+      \$57  = \$35 [4:0];
     end
     if (start) begin
-      \$60  = 5'h00;
+      \$57  = 5'h00;
     end
     if (soft_reset) begin
-      \$60  = 5'h00;
+      \$57  = 5'h00;
     end
     if (rst) begin
-      \$60  = 5'h00;
+      \$57  = 5'h00;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$61  = current;
+    \$58  = current;
     if (\$signal$2 ) begin
-      \$61  = waiting;
+      \$58  = waiting;
     end
     if (soft_reset) begin
-      \$61  = 14'h0000;
+      \$58  = 14'h0000;
     end
     if (rst) begin
-      \$61  = 14'h0000;
+      \$58  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$62  = \$signal$5 ;
+    \$59  = \$signal$5 ;
     if (\$signal$2 ) begin
       if (\$signal ) begin
         (* full_case = 32'd1 *)
         casez (section)
           2'h0:
-              \$62 [0] = 1'h1;
+              \$59 [0] = 1'h1;
           2'h1:
-              \$62 [1] = 1'h1;
+              \$59 [1] = 1'h1;
           2'h2:
-              \$62 [2] = 1'h1;
+              \$59 [2] = 1'h1;
           2'h3:
-              \$62 [3] = 1'h1;
+              \$59 [3] = 1'h1;
         endcase
       end
     end
@@ -6866,72 +6860,102 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
       (* full_case = 32'd1 *)
       casez (\$signal$46 )
         2'h0:
-            \$62 [0] = 1'h0;
+            \$59 [0] = 1'h0;
         2'h1:
-            \$62 [1] = 1'h0;
+            \$59 [1] = 1'h0;
         2'h2:
-            \$62 [2] = 1'h0;
+            \$59 [2] = 1'h0;
         2'h3:
-            \$62 [3] = 1'h0;
+            \$59 [3] = 1'h0;
       endcase
     end
     if (start) begin
-      \$62  = 4'h0;
+      \$59  = 4'h0;
     end
     if (soft_reset) begin
-      \$62  = 4'h0;
+      \$59  = 4'h0;
     end
     if (rst) begin
-      \$62  = 4'h0;
+      \$59  = 4'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$63  = section;
+    \$60  = section;
     if (group_last_cycle) begin
-      \$63  = \$39 [1:0];
+      \$60  = \$36 [1:0];
     end
     if (start) begin
-      \$63  = 2'h0;
+      \$60  = 2'h0;
     end
     if (soft_reset) begin
-      \$63  = 2'h0;
+      \$60  = 2'h0;
     end
     if (rst) begin
-      \$63  = 2'h0;
+      \$60  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    { \$64 [303:285], \$64 [246:209], \$64 [170:133], \$64 [94:57], \$64 [18:0] } = { \heads$73 [303:285], \heads$73 [246:209], \heads$73 [170:133], \heads$73 [94:57], \heads$73 [18:0] };
+    { \$61 [303:285], \$61 [246:209], \$61 [170:133], \$61 [94:57], \$61 [18:0] } = { \heads$73 [303:285], \heads$73 [246:209], \heads$73 [170:133], \heads$73 [94:57], \heads$73 [18:0] };
     if (info_now[13]) begin
-      \$64 [18:0] = \$40 ;
-      if (\$41 ) begin
-        \$64 [75:57] = \heads$73 [18:0];
+      \$61 [18:0] = \$37 ;
+      if (\$38 ) begin
+        \$61 [75:57] = \heads$73 [18:0];
       end
       begin
-          \$64 [94:76] = \$42 ;
+          \$61 [94:76] = \$39 ;
       end
-      if (\$43 ) begin
-        \$64 [151:133] = \heads$73 [94:76];
-      end
-      begin
-          \$64 [170:152] = \$44 ;
-      end
-      if (\$45 ) begin
-        \$64 [227:209] = \heads$73 [170:152];
+      if (\$40 ) begin
+        \$61 [151:133] = \heads$73 [94:76];
       end
       begin
-          \$64 [246:228] = \$46 ;
+          \$61 [170:152] = \$41 ;
       end
-      if (\$47 ) begin
-        \$64 [303:285] = \heads$73 [246:228];
+      if (\$42 ) begin
+        \$61 [227:209] = \heads$73 [170:152];
+      end
+      begin
+          \$61 [246:228] = \$43 ;
+      end
+      if (\$44 ) begin
+        \$61 [303:285] = \heads$73 [246:228];
       end
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$65  = info_now[9];
+    \$62  = info_now[9];
+    if (soft_reset) begin
+      \$62  = 1'h0;
+    end
+    if (rst) begin
+      \$62  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$63  = \$signal$7 ;
+    if (soft_reset) begin
+      \$63  = 1'h0;
+    end
+    if (rst) begin
+      \$63  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$64  = group_last_cycle;
+    if (soft_reset) begin
+      \$64  = 1'h0;
+    end
+    if (rst) begin
+      \$64  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$65  = \$signal$77 ;
     if (soft_reset) begin
       \$65  = 1'h0;
     end
@@ -6941,7 +6965,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$66  = \$signal$7 ;
+    \$66  = \$signal$78 ;
     if (soft_reset) begin
       \$66  = 1'h0;
     end
@@ -6951,7 +6975,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$67  = group_last_cycle;
+    \$67  = \$signal$86 ;
     if (soft_reset) begin
       \$67  = 1'h0;
     end
@@ -6961,7 +6985,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$68  = \$signal$77 ;
+    \$68  = \$signal$87 ;
     if (soft_reset) begin
       \$68  = 1'h0;
     end
@@ -6971,7 +6995,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$69  = \$signal$78 ;
+    \$69  = \$signal$95 ;
     if (soft_reset) begin
       \$69  = 1'h0;
     end
@@ -6981,7 +7005,7 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$70  = \$signal$86 ;
+    \$70  = \$signal$96 ;
     if (soft_reset) begin
       \$70  = 1'h0;
     end
@@ -6991,169 +7015,196 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$71  = \$signal$87 ;
-    if (soft_reset) begin
-      \$71  = 1'h0;
-    end
-    if (rst) begin
-      \$71  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$72  = \$signal$95 ;
-    if (soft_reset) begin
-      \$72  = 1'h0;
-    end
-    if (rst) begin
-      \$72  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$73  = \$signal$96 ;
-    if (soft_reset) begin
-      \$73  = 1'h0;
-    end
-    if (rst) begin
-      \$73  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$74  = valid;
+    \$71  = valid;
     if (advance) begin
-      \$74  = \$48 ;
+      \$71  = \$45 ;
     end
     if (start) begin
-      \$74  = 1'h0;
+      \$71  = 1'h0;
     end
     if (soft_reset) begin
-      \$74  = 1'h0;
+      \$71  = 1'h0;
     end
     if (rst) begin
-      \$74  = 1'h0;
+      \$71  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$75  = slot_read;
+    \$72  = slot_read;
     if (advance) begin
-      \$75  = \$signal$51 ;
+      \$72  = \$signal$51 ;
     end
     if (soft_reset) begin
-      \$75  = 2'h0;
+      \$72  = 2'h0;
     end
     if (rst) begin
-      \$75  = 2'h0;
+      \$72  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$76  = meta;
+    \$73  = meta;
     if (advance) begin
-      \$76 [1] = word_last;
-      \$76 [2] = \$51 ;
+      \$73 [1] = word_last;
+      \$73 [2] = \$48 ;
     end
     if (soft_reset) begin
-      \$76 [2:1] = 2'h0;
+      \$73 [2:1] = 2'h0;
     end
     if (rst) begin
-      \$76  = 3'h0;
+      \$73  = 3'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$77  = word;
+    \$74  = word;
     if (fetch) begin
       (* full_case = 32'd1 *)
-      if (\$53 ) begin
-        \$77  = 12'h000;
+      if (\$50 ) begin
+        \$74  = 12'h000;
       end else begin
-        \$77  = \$55 [11:0];
+        \$74  = \$52 [11:0];
       end
     end
     if (section_done) begin
-      \$77  = 12'h000;
+      \$74  = 12'h000;
     end
     if (start) begin
-      \$77  = 12'h000;
+      \$74  = 12'h000;
     end
     if (soft_reset) begin
-      \$77  = 12'h000;
+      \$74  = 12'h000;
     end
     if (rst) begin
-      \$77  = 12'h000;
+      \$74  = 12'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$78  = \$signal$51 ;
+    \$75  = \$signal$51 ;
     if (fetch) begin
-      if (\$53 ) begin
-        \$78  = \$54 [1:0];
+      if (\$50 ) begin
+        \$75  = \$51 [1:0];
       end
     end
     if (section_done) begin
-      \$78  = 2'h0;
+      \$75  = 2'h0;
     end
     if (start) begin
-      \$78  = 2'h0;
+      \$75  = 2'h0;
     end
     if (soft_reset) begin
-      \$78  = 2'h0;
+      \$75  = 2'h0;
     end
     if (rst) begin
-      \$78  = 2'h0;
+      \$75  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$79  = \$signal$46 ;
+    \$76  = \$signal$46 ;
     if (section_done) begin
-      \$79  = \$56 [1:0];
+      \$76  = \$53 [1:0];
     end
     if (start) begin
-      \$79  = 2'h0;
+      \$76  = 2'h0;
     end
     if (soft_reset) begin
-      \$79  = 2'h0;
+      \$76  = 2'h0;
     end
     if (rst) begin
-      \$79  = 2'h0;
+      \$76  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$80  = filled;
+    \$77  = filled;
     if (section_done) begin
       (* full_case = 32'd1 *)
       casez (\$signal$46 )
         2'h0:
-            \$80 [0] = 1'h0;
+            \$77 [0] = 1'h0;
         2'h1:
-            \$80 [1] = 1'h0;
+            \$77 [1] = 1'h0;
         2'h2:
-            \$80 [2] = 1'h0;
+            \$77 [2] = 1'h0;
         2'h3:
-            \$80 [3] = 1'h0;
+            \$77 [3] = 1'h0;
       endcase
     end
     if (\$signal$102 ) begin
       (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
-            \$80 [0] = 1'h1;
+            \$77 [0] = 1'h1;
         2'h1:
-            \$80 [1] = 1'h1;
+            \$77 [1] = 1'h1;
         2'h2:
-            \$80 [2] = 1'h1;
+            \$77 [2] = 1'h1;
         2'h3:
-            \$80 [3] = 1'h1;
+            \$77 [3] = 1'h1;
       endcase
     end
     if (start) begin
-      \$80  = 4'h0;
+      \$77  = 4'h0;
+    end
+    if (soft_reset) begin
+      \$77  = 4'h0;
+    end
+    if (rst) begin
+      \$77  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$78  = image_last;
+    if (\$signal$102 ) begin
+      (* full_case = 32'd1 *)
+      casez (put__addr[7:6])
+        2'h0:
+            \$78 [0] = \$signal$104 ;
+        2'h1:
+            \$78 [1] = \$signal$104 ;
+        2'h2:
+            \$78 [2] = \$signal$104 ;
+        2'h3:
+            \$78 [3] = \$signal$104 ;
+      endcase
+    end
+    if (soft_reset) begin
+      \$78  = 4'h0;
+    end
+    if (rst) begin
+      \$78  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$79  = slots0;
+    if (\$signal$102 ) begin
+      casez (put__addr[7:6])
+        2'h0:
+            \$79  = \$signal$103 ;
+      endcase
+    end
+    if (soft_reset) begin
+      \$79  = 4'h0;
+    end
+    if (rst) begin
+      \$79  = 4'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
+    \$80  = slots1;
+    if (\$signal$102 ) begin
+      casez (put__addr[7:6])
+        2'h0:
+            /* empty */;
+        2'h1:
+            \$80  = \$signal$103 ;
+      endcase
     end
     if (soft_reset) begin
       \$80  = 4'h0;
@@ -7164,18 +7215,15 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$81  = image_last;
+    \$81  = slots2;
     if (\$signal$102 ) begin
-      (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
-            \$81 [0] = \$signal$104 ;
+            /* empty */;
         2'h1:
-            \$81 [1] = \$signal$104 ;
+            /* empty */;
         2'h2:
-            \$81 [2] = \$signal$104 ;
-        2'h3:
-            \$81 [3] = \$signal$104 ;
+            \$81  = \$signal$103 ;
       endcase
     end
     if (soft_reset) begin
@@ -7187,10 +7235,17 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$82  = slots0;
+    \$82  = slots3;
     if (\$signal$102 ) begin
+      (* full_case = 32'd1 *)
       casez (put__addr[7:6])
         2'h0:
+            /* empty */;
+        2'h1:
+            /* empty */;
+        2'h2:
+            /* empty */;
+        2'h3:
             \$82  = \$signal$103 ;
       endcase
     end
@@ -7199,67 +7254,6 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
     end
     if (rst) begin
       \$82  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$83  = slots1;
-    if (\$signal$102 ) begin
-      casez (put__addr[7:6])
-        2'h0:
-            /* empty */;
-        2'h1:
-            \$83  = \$signal$103 ;
-      endcase
-    end
-    if (soft_reset) begin
-      \$83  = 4'h0;
-    end
-    if (rst) begin
-      \$83  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$84  = slots2;
-    if (\$signal$102 ) begin
-      casez (put__addr[7:6])
-        2'h0:
-            /* empty */;
-        2'h1:
-            /* empty */;
-        2'h2:
-            \$84  = \$signal$103 ;
-      endcase
-    end
-    if (soft_reset) begin
-      \$84  = 4'h0;
-    end
-    if (rst) begin
-      \$84  = 4'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$3 ) begin end
-    \$85  = slots3;
-    if (\$signal$102 ) begin
-      (* full_case = 32'd1 *)
-      casez (put__addr[7:6])
-        2'h0:
-            /* empty */;
-        2'h1:
-            /* empty */;
-        2'h2:
-            /* empty */;
-        2'h3:
-            \$85  = \$signal$103 ;
-      endcase
-    end
-    if (soft_reset) begin
-      \$85  = 4'h0;
-    end
-    if (rst) begin
-      \$85  = 4'h0;
     end
   end
   assign tile = \$20 [3:0];
@@ -7397,13 +7391,13 @@ module \macram_top.array.drain (rst, finished, shift, credit, o__ready, soft_res
   assign \heads$73[3][2]  = \heads$73 [284:266];
   assign \heads$73[3][3]  = \heads$73 [303:285];
   always @*
-    \$64 [56:19] = \heads$73 [56:19];
+    \$61 [56:19] = \heads$73 [56:19];
   always @*
-    \$64 [132:95] = \heads$73 [132:95];
+    \$61 [132:95] = \heads$73 [132:95];
   always @*
-    \$64 [208:171] = \heads$73 [208:171];
+    \$61 [208:171] = \heads$73 [208:171];
   always @*
-    \$64 [284:247] = \heads$73 [284:247];
+    \$61 [284:247] = \heads$73 [284:247];
 endmodule
 
 module \macram_top.array.drain.requant (rst, \parameters$3 , soft_reset, accumulators, \edge , codes, clk);
@@ -8496,7 +8490,7 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   assign \$2  = { 64'h0000000000000000, buffer[111:64] };
 endmodule
 
-module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1404$0 , beats, open, clk);
+module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1400$0 , beats, open, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$6  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -8551,8 +8545,8 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   wire o__valid;
   output open;
   reg open = 1'h0;
-  input [31:0] \port$1404$0 ;
-  wire [31:0] \port$1404$0 ;
+  input [31:0] \port$1400$0 ;
+  wire [31:0] \port$1400$0 ;
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
@@ -8567,10 +8561,10 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   assign \$1  = \$signal$9  + 1'h1;
   assign \$signal$8  = \$1  == beats;
   assign \$2  = \$signal$12  + 1'h1;
-  assign \$3  = \$2  == \port$1404$0 [31:16];
+  assign \$3  = \$2  == \port$1400$0 [31:16];
   assign \$signal$11  = \$signal$8  & \$3 ;
   assign \$4  = row + 1'h1;
-  assign \$5  = \$4  == \port$1404$0 [15:0];
+  assign \$5  = \$4  == \port$1400$0 [15:0];
   assign \$signal$14  = \$signal$11  & \$5 ;
   assign \$6  = i__payload[64] != \$signal$14 ;
   assign fault = \$signal  & \$6 ;
@@ -8659,13 +8653,13 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
     end
   end
   assign o__payload = i__payload[63:0];
-  assign width = \port$1404$0 [31:16];
-  assign height = \port$1404$0 [15:0];
+  assign width = \port$1400$0 [31:16];
+  assign height = \port$1400$0 [15:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1404$79 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1400$79 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -8718,8 +8712,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1404$79 ;
-  wire [13:0] \port$1404$79 ;
+  input [13:0] \port$1400$79 ;
+  wire [13:0] \port$1400$79 ;
   wire put;
   input rst;
   wire rst;
@@ -8727,7 +8721,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire soft_reset;
   reg [15:0] words_out = 16'h0000;
   wire [15:0] words_per_pixel;
-  assign \$1  = \port$1404$79  - 1'h1;
+  assign \$1  = \port$1400$79  - 1'h1;
   assign \$3  = \$signal$6  ? \$2  : buffer;
   assign \$4  = \$signal  ? 112'h0000000000000000000000000000 : \$3 ;
   assign \$5  = put ? i__payload : 64'h0000000000000000;
@@ -8817,7 +8811,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
       \$27  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1404$79  };
+  assign words_per_pixel = { 2'h0, \port$1400$79  };
   assign \$like  = \$20 [6:0];
   assign o__payload = buffer[47:0];
   assign \$2  = { 48'h000000000000, buffer[111:48] };
@@ -9285,7 +9279,7 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   assign \read.inner  = read[16];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1686$0 , \port$1688$0 , \port$1690$0 , i__ready, to_requant, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1682$0 , \port$1684$0 , \port$1686$0 , i__ready, to_requant, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
@@ -9356,13 +9350,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 10'h000 *)
-  output [9:0] \port$1686$0 ;
-  wire [9:0] \port$1686$0 ;
+  output [9:0] \port$1682$0 ;
+  wire [9:0] \port$1682$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1688$0 ;
-  wire [7:0] \port$1688$0 ;
-  output [671:0] \port$1690$0 ;
-  wire [671:0] \port$1690$0 ;
+  output [7:0] \port$1684$0 ;
+  wire [7:0] \port$1684$0 ;
+  output [671:0] \port$1686$0 ;
+  wire [671:0] \port$1686$0 ;
   wire [679:0] requant;
   wire [7:0] \requant.addr ;
   wire [671:0] \requant.data ;
@@ -9563,9 +9557,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[647:576], \$27  };
   assign requant = { shifter[671:0], \$29  };
-  assign \port$1686$0  = \$27 ;
-  assign \port$1688$0  = \$29 ;
-  assign \port$1690$0  = shifter[671:0];
+  assign \port$1682$0  = \$27 ;
+  assign \port$1684$0  = \$29 ;
+  assign \port$1686$0  = shifter[671:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$27 ;
@@ -9599,48 +9593,49 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   wire \$114 ;
   wire \$115 ;
   wire \$116 ;
-  wire [15:0] \$117 ;
+  wire \$117 ;
   wire [15:0] \$118 ;
-  wire \$119 ;
+  wire [15:0] \$119 ;
   wire \$12 ;
-  wire [13:0] \$120 ;
-  wire [14:0] \$121 ;
-  wire [13:0] \$122 ;
-  wire [15:0] \$123 ;
-  wire [3:0] \$124 ;
-  wire \$125 ;
+  wire \$120 ;
+  wire [13:0] \$121 ;
+  wire [14:0] \$122 ;
+  wire [13:0] \$123 ;
+  wire [15:0] \$124 ;
+  wire [3:0] \$125 ;
   wire \$126 ;
-  wire [3:0] \$127 ;
+  wire \$127 ;
   wire [3:0] \$128 ;
   wire [3:0] \$129 ;
   wire \$13 ;
   wire [3:0] \$130 ;
-  wire \$131 ;
+  wire [3:0] \$131 ;
   wire \$132 ;
   wire \$133 ;
-  wire [11:0] \$134 ;
-  wire [13:0] \$135 ;
-  reg \$136 ;
+  wire \$134 ;
+  wire [11:0] \$135 ;
+  wire [13:0] \$136 ;
   reg \$137 ;
-  reg [17:0] \$138 ;
-  reg \$139 ;
+  reg \$138 ;
+  reg [17:0] \$139 ;
   wire \$14 ;
-  reg [13:0] \$140 ;
-  reg [10:0] \$141 ;
-  reg \$142 ;
-  reg [1:0] \$143 ;
-  reg \$144 ;
+  reg \$140 ;
+  reg [13:0] \$141 ;
+  reg [10:0] \$142 ;
+  reg \$143 ;
+  reg [1:0] \$144 ;
   reg \$145 ;
-  reg [11:0] \$146 ;
-  reg [14:0] \$147 ;
-  reg [8:0] \$148 ;
-  reg [15:0] \$149 ;
+  reg \$146 ;
+  reg [11:0] \$147 ;
+  reg [14:0] \$148 ;
+  reg [8:0] \$149 ;
   wire \$15 ;
-  reg \$150 ;
+  reg [15:0] \$150 ;
   reg \$151 ;
-  reg [13:0] \$152 ;
-  reg \$153 ;
-  reg [50:0] \$154 ;
+  reg \$152 ;
+  reg [13:0] \$153 ;
+  reg \$154 ;
+  reg [50:0] \$155 ;
   wire \$16 ;
   wire \$17 ;
   wire \$18 ;
@@ -9993,66 +9988,67 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   assign \$109  = \$signal$18  + 1'h1;
   assign \$110  = \$signal$17  | flushing;
   assign \$111  = ! shape[64:63];
-  assign \$112  = shape[166] ? triple : \$111 ;
-  assign \$113  = ~ flushing;
-  assign \$114  = \$112  & \$113 ;
-  assign \$115  = shape[15:0] == 1'h1;
-  assign \$116  = \$115  | shape[164];
-  assign \$117  = - shape[62:48];
-  assign \$118  = \$116  ? 16'h0000 : \$117 ;
-  assign \$119  = step & last;
-  assign \$120  = \$signal$8  ? shape[92:79] : 14'h0000;
-  assign \$121  = group_base + \$120 ;
-  assign \$123  = \$121  + \$122 ;
-  assign \$124  = \$signal$13  ? { \$63 [2], 2'h0, \$63 [1] } : { \$63 [3], 2'h0, \$63 [0] };
-  assign \$125  = \$signal$8  & \$signal$15 ;
-  assign \$126  = \$125  & shape[16];
-  assign \$128  = \$126  ? \$127  : \$63 [3:0];
-  assign \$129  = triple ? \$124  : \$128 ;
-  assign \$130  = row_exists ? \$129  : 4'h0;
-  assign \$131  = ~ shape[166];
-  assign \$132  = \$signal$9  & \$131 ;
-  assign \$133  = unload | \$132 ;
-  assign \$134  = unload ? { 8'h00, carried_info[3:0] } : tile;
-  assign \$135  = unload ? carried_info : info;
+  assign \$112  = ~ shape[166];
+  assign \$113  = \$111  & \$112 ;
+  assign \$114  = ~ flushing;
+  assign \$115  = \$113  & \$114 ;
+  assign \$116  = shape[15:0] == 1'h1;
+  assign \$117  = \$116  | shape[164];
+  assign \$118  = - shape[62:48];
+  assign \$119  = \$117  ? 16'h0000 : \$118 ;
+  assign \$120  = step & last;
+  assign \$121  = \$signal$8  ? shape[92:79] : 14'h0000;
+  assign \$122  = group_base + \$121 ;
+  assign \$124  = \$122  + \$123 ;
+  assign \$125  = \$signal$13  ? { \$63 [2], 2'h0, \$63 [1] } : { \$63 [3], 2'h0, \$63 [0] };
+  assign \$126  = \$signal$8  & \$signal$15 ;
+  assign \$127  = \$126  & shape[16];
+  assign \$129  = \$127  ? \$128  : \$63 [3:0];
+  assign \$130  = triple ? \$125  : \$129 ;
+  assign \$131  = row_exists ? \$130  : 4'h0;
+  assign \$132  = ~ shape[166];
+  assign \$133  = \$signal$9  & \$132 ;
+  assign \$134  = unload | \$133 ;
+  assign \$135  = unload ? { 8'h00, carried_info[3:0] } : tile;
+  assign \$136  = unload ? carried_info : info;
   always @(posedge clk)
-    retire <= \$136 ;
+    retire <= \$137 ;
   always @(posedge clk)
-    retire_row <= \$137 ;
+    retire_row <= \$138 ;
   always @(posedge clk)
-    ahead <= \$138 ;
+    ahead <= \$139 ;
   always @(posedge clk)
-    credits <= \$139 ;
+    credits <= \$140 ;
   always @(posedge clk)
-    block <= \$140 ;
+    block <= \$141 ;
   always @(posedge clk)
-    weight <= \$141 ;
+    weight <= \$142 ;
   always @(posedge clk)
-    \$signal$8  <= \$142 ;
+    \$signal$8  <= \$143 ;
   always @(posedge clk)
-    \$signal$10  <= \$143 ;
+    \$signal$10  <= \$144 ;
   always @(posedge clk)
-    \$signal$25  <= \$144 ;
+    \$signal$25  <= \$145 ;
   always @(posedge clk)
-    \$signal$13  <= \$145 ;
+    \$signal$13  <= \$146 ;
   always @(posedge clk)
-    tile <= \$146 ;
+    tile <= \$147 ;
   always @(posedge clk)
-    \$signal$16  <= \$147 ;
+    \$signal$16  <= \$148 ;
   always @(posedge clk)
-    group_base <= \$148 ;
+    group_base <= \$149 ;
   always @(posedge clk)
-    \$signal$18  <= \$149 ;
+    \$signal$18  <= \$150 ;
   always @(posedge clk)
-    flushing <= \$150 ;
+    flushing <= \$151 ;
   always @(posedge clk)
-    busy <= \$151 ;
+    busy <= \$152 ;
   always @(posedge clk)
-    carried_info <= \$152 ;
+    carried_info <= \$153 ;
   always @(posedge clk)
-    valid <= \$153 ;
+    valid <= \$154 ;
   always @(posedge clk)
-    \step$51  <= \$154 ;
+    \step$51  <= \$155 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
     (* full_case = 32'd1 *)
@@ -10067,20 +10063,7 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$136  = \$83 ;
-    if (start) begin
-      \$136  = 1'h0;
-    end
-    if (soft_reset) begin
-      \$136  = 1'h0;
-    end
-    if (rst) begin
-      \$136  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$137  = \$85 ;
+    \$137  = \$83 ;
     if (start) begin
       \$137  = 1'h0;
     end
@@ -10093,301 +10076,281 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$138  = \$92 [17:0];
+    \$138  = \$85 ;
     if (start) begin
-      \$138  = { \$118 [15], \$118 [15], \$118  };
+      \$138  = 1'h0;
     end
     if (soft_reset) begin
-      \$138  = 18'h00000;
+      \$138  = 1'h0;
     end
     if (rst) begin
-      \$138  = 18'h00000;
+      \$138  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$139  = credits;
+    \$139  = \$92 [17:0];
+    if (start) begin
+      \$139  = { \$119 [15], \$119 [15], \$119  };
+    end
+    if (soft_reset) begin
+      \$139  = 18'h00000;
+    end
+    if (rst) begin
+      \$139  = 18'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$140  = credits;
     if (credit) begin
-      \$139  = 1'h1;
+      \$140  = 1'h1;
     end else if (\$94 ) begin
-      \$139  = 1'h0;
+      \$140  = 1'h0;
     end
     if (start) begin
-      \$139  = 1'h1;
+      \$140  = 1'h1;
     end
     if (soft_reset) begin
-      \$139  = 1'h0;
+      \$140  = 1'h0;
     end
     if (rst) begin
-      \$139  = 1'h0;
+      \$140  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$140  = block;
+    \$141  = block;
     if (step) begin
-      \$140  = \$95 [13:0];
+      \$141  = \$95 [13:0];
       if (\$signal ) begin
-        \$140  = 14'h0000;
+        \$141  = 14'h0000;
       end
     end
     if (start) begin
-      \$140  = 14'h0000;
+      \$141  = 14'h0000;
     end
     if (soft_reset) begin
-      \$140  = 14'h0000;
+      \$141  = 14'h0000;
     end
     if (rst) begin
-      \$140  = 14'h0000;
+      \$141  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$141  = weight;
+    \$142  = weight;
     if (step) begin
-      \$141  = \$96 [10:0];
+      \$142  = \$96 [10:0];
       if (last) begin
         if (\$101 ) begin
-          \$141  = \$103 [10:0];
+          \$142  = \$103 [10:0];
         end
         if (\$signal$14 ) begin
-          \$141  = { 1'h0, weight_base };
+          \$142  = { 1'h0, weight_base };
         end
       end
     end
     if (start) begin
-      \$141  = { 1'h0, weight_base };
+      \$142  = { 1'h0, weight_base };
     end
     if (soft_reset) begin
-      \$141  = 11'h000;
+      \$142  = 11'h000;
     end
     if (rst) begin
-      \$141  = 11'h000;
+      \$142  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$142  = \$signal$8 ;
+    \$143  = \$signal$8 ;
     if (step) begin
       if (\$signal ) begin
-        \$142  = \$98 ;
+        \$143  = \$98 ;
       end
       if (last) begin
-        \$142  = 1'h0;
+        \$143  = 1'h0;
       end
     end
     if (start) begin
-      \$142  = 1'h0;
+      \$143  = 1'h0;
     end
     if (soft_reset) begin
-      \$142  = 1'h0;
+      \$143  = 1'h0;
     end
     if (rst) begin
-      \$142  = 1'h0;
+      \$143  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$143  = \$signal$10 ;
+    \$144  = \$signal$10 ;
     if (step) begin
       if (kernel_row_last) begin
-        \$143  = \$99 [1:0];
+        \$144  = \$99 [1:0];
       end
       if (last) begin
-        \$143  = 2'h0;
+        \$144  = 2'h0;
       end
     end
     if (start) begin
-      \$143  = 2'h0;
+      \$144  = 2'h0;
     end
     if (soft_reset) begin
-      \$143  = 2'h0;
+      \$144  = 2'h0;
     end
     if (rst) begin
-      \$143  = 2'h0;
+      \$144  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$144  = \$signal$25 ;
+    \$145  = \$signal$25 ;
     if (step) begin
       if (last) begin
-        \$144  = triple;
+        \$145  = triple;
       end
     end
     if (unload) begin
-      \$144  = 1'h0;
+      \$145  = 1'h0;
     end
     if (start) begin
-      \$144  = 1'h0;
+      \$145  = 1'h0;
     end
     if (soft_reset) begin
-      \$144  = 1'h0;
+      \$145  = 1'h0;
     end
     if (rst) begin
-      \$144  = 1'h0;
+      \$145  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$145  = \$signal$13 ;
+    \$146  = \$signal$13 ;
     if (step) begin
       if (last) begin
         (* full_case = 32'd1 *)
         if (\$101 ) begin
-          \$145  = 1'h1;
+          \$146  = 1'h1;
         end else begin
-          \$145  = 1'h0;
+          \$146  = 1'h0;
         end
       end
     end
     if (start) begin
-      \$145  = 1'h0;
+      \$146  = 1'h0;
     end
     if (soft_reset) begin
-      \$145  = 1'h0;
+      \$146  = 1'h0;
     end
     if (rst) begin
-      \$145  = 1'h0;
+      \$146  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$146  = tile;
+    \$147  = tile;
     if (step) begin
       if (last) begin
         (* full_case = 32'd1 *)
         if (\$101 ) begin
         end else begin
-          \$146  = \$105 [11:0];
+          \$147  = \$105 [11:0];
         end
         if (\$signal$14 ) begin
-          \$146  = 12'h000;
+          \$147  = 12'h000;
         end
       end
     end
     if (start) begin
-      \$146  = 12'h000;
+      \$147  = 12'h000;
     end
     if (soft_reset) begin
-      \$146  = 12'h000;
+      \$147  = 12'h000;
     end
     if (rst) begin
-      \$146  = 12'h000;
+      \$147  = 12'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$147  = \$signal$16 ;
+    \$148  = \$signal$16 ;
     if (step) begin
       if (last) begin
         if (\$signal$14 ) begin
-          \$147  = \$106 [14:0];
+          \$148  = \$106 [14:0];
           if (\$108 ) begin
-            \$147  = 15'h0000;
+            \$148  = 15'h0000;
           end
         end
       end
     end
     if (start) begin
-      \$147  = 15'h0000;
+      \$148  = 15'h0000;
     end
     if (soft_reset) begin
-      \$147  = 15'h0000;
+      \$148  = 15'h0000;
     end
     if (rst) begin
-      \$147  = 15'h0000;
+      \$148  = 15'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$148  = group_base;
+    \$149  = group_base;
     if (step) begin
       if (last) begin
         if (\$signal$14 ) begin
-          \$148  = \$107 [8:0];
+          \$149  = \$107 [8:0];
           if (\$108 ) begin
-            \$148  = 9'h000;
+            \$149  = 9'h000;
           end
         end
       end
     end
     if (start) begin
-      \$148  = 9'h000;
+      \$149  = 9'h000;
     end
     if (soft_reset) begin
-      \$148  = 9'h000;
+      \$149  = 9'h000;
     end
     if (rst) begin
-      \$148  = 9'h000;
+      \$149  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$149  = \$signal$18 ;
+    \$150  = \$signal$18 ;
     if (step) begin
       if (last) begin
         if (\$signal$14 ) begin
           if (\$108 ) begin
-            \$149  = \$109 [15:0];
+            \$150  = \$109 [15:0];
           end
         end
       end
     end
     if (start) begin
-      \$149  = 16'h0000;
+      \$150  = 16'h0000;
     end
     if (soft_reset) begin
-      \$149  = 16'h0000;
+      \$150  = 16'h0000;
     end
     if (rst) begin
-      \$149  = 16'h0000;
+      \$150  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$150  = flushing;
+    \$151  = flushing;
     if (step) begin
       if (last) begin
         if (\$signal$14 ) begin
           if (\$108 ) begin
             if (\$110 ) begin
               (* full_case = 32'd1 *)
-              if (\$114 ) begin
-                \$150  = 1'h1;
-              end else begin
-                \$150  = 1'h0;
-              end
-            end
-          end
-        end
-      end
-    end
-    if (unload) begin
-      if (flushing) begin
-        \$150  = 1'h0;
-      end
-    end
-    if (start) begin
-      \$150  = 1'h0;
-    end
-    if (soft_reset) begin
-      \$150  = 1'h0;
-    end
-    if (rst) begin
-      \$150  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$151  = busy;
-    if (step) begin
-      if (last) begin
-        if (\$signal$14 ) begin
-          if (\$108 ) begin
-            if (\$110 ) begin
-              (* full_case = 32'd1 *)
-              if (\$114 ) begin
+              if (\$115 ) begin
+                \$151  = 1'h1;
               end else begin
                 \$151  = 1'h0;
               end
@@ -10396,67 +10359,90 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
         end
       end
     end
-    if (unload) begin
-      if (flushing) begin
-        \$151  = 1'h0;
+    if (start) begin
+      \$151  = 1'h0;
+    end
+    if (soft_reset) begin
+      \$151  = 1'h0;
+    end
+    if (rst) begin
+      \$151  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$152  = busy;
+    if (step) begin
+      if (last) begin
+        if (\$signal$14 ) begin
+          if (\$108 ) begin
+            if (\$110 ) begin
+              (* full_case = 32'd1 *)
+              if (\$115 ) begin
+              end else begin
+                \$152  = 1'h0;
+              end
+            end
+          end
+        end
       end
     end
     if (start) begin
-      \$151  = 1'h1;
+      \$152  = 1'h1;
     end
     if (soft_reset) begin
-      \$151  = 1'h0;
+      \$152  = 1'h0;
     end
     if (rst) begin
-      \$151  = 1'h0;
+      \$152  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$152  = carried_info;
-    if (\$119 ) begin
-      \$152 [12:0] = info[12:0];
-      \$152 [13] = 1'h1;
+    \$153  = carried_info;
+    if (\$120 ) begin
+      \$153 [12:0] = info[12:0];
+      \$153 [13] = 1'h1;
     end
     if (soft_reset) begin
-      \$152  = 14'h0000;
+      \$153  = 14'h0000;
     end
     if (rst) begin
-      \$152  = 14'h0000;
+      \$153  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$153  = step;
+    \$154  = step;
     if (soft_reset) begin
-      \$153  = 1'h0;
+      \$154  = 1'h0;
     end
     if (rst) begin
-      \$153  = 1'h0;
+      \$154  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$154 [1:0] = \$54 [1:0];
-    \$154 [9:2] = \$123 [7:0];
-    \$154 [10] = block[0];
-    \$154 [14:11] = \$130 ;
-    \$154 [15] = triple;
-    \$154 [16] = \$signal$13 ;
-    \$154 [26:17] = weight[9:0];
-    \$154 [27] = step;
-    \$154 [28] = \$signal$9 ;
-    \$154 [30] = last;
-    \$154 [31] = \edge ;
-    \$154 [29] = \$133 ;
-    \$154 [35:32] = \$134 [3:0];
-    \$154 [36] = unload;
-    \$154 [50:37] = \$135 ;
+    \$155 [1:0] = \$54 [1:0];
+    \$155 [9:2] = \$124 [7:0];
+    \$155 [10] = block[0];
+    \$155 [14:11] = \$131 ;
+    \$155 [15] = triple;
+    \$155 [16] = \$signal$13 ;
+    \$155 [26:17] = weight[9:0];
+    \$155 [27] = step;
+    \$155 [28] = \$signal$9 ;
+    \$155 [30] = last;
+    \$155 [31] = \edge ;
+    \$155 [29] = \$134 ;
+    \$155 [35:32] = \$135 [3:0];
+    \$155 [36] = unload;
+    \$155 [50:37] = \$136 ;
     if (soft_reset) begin
-      \$154  = 51'h0000000000000;
+      \$155  = 51'h0000000000000;
     end
     if (rst) begin
-      \$154  = 51'h0000000000000;
+      \$155  = 51'h0000000000000;
     end
   end
   assign source_row_below = \$47 [16:0];
@@ -10530,8 +10516,8 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   assign info[4] = \$signal$14 ;
   assign info[3:0] = tile[3:0];
   assign info[13] = 1'h0;
-  assign \$122  = { 1'h0, block[13:1] };
-  assign \$127  = { 1'h0, \$63 [3:1] };
+  assign \$123  = { 1'h0, block[13:1] };
+  assign \$128  = { 1'h0, \$63 [3:1] };
 endmodule
 
 module \macram_top.array.unit000 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
@@ -19047,7 +19033,7 @@ module \macram_top.array.unit063 (rst, core__shift, core__chain_i, chain_o, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1363$0 , \port$1369$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
+, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1359$0 , \port$1365$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -19170,10 +19156,10 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   reg [31:0] param_base = 32'd0;
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
-  input \port$1363$0 ;
-  wire \port$1363$0 ;
-  input [2:0] \port$1369$0 ;
-  wire [2:0] \port$1369$0 ;
+  input \port$1359$0 ;
+  wire \port$1359$0 ;
+  input [2:0] \port$1365$0 ;
+  wire [2:0] \port$1365$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
   output [31:0] requant_base;
@@ -19510,9 +19496,9 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h02:
             \$43  = 32'd0;
         5'h03:
-            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1363$0 , busy };
+            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1359$0 , busy };
         5'h04:
-            \$43  = { 29'h00000000, \port$1369$0  };
+            \$43  = { 29'h00000000, \port$1365$0  };
         5'h05:
             \$43  = height;
         5'h06:
@@ -20141,8 +20127,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       \$35  = 32'd0;
     end
   end
-  assign status = { 28'h0000000, loading, \port$2$0 , \port$1363$0 , busy };
-  assign error = { 29'h00000000, \port$1369$0  };
+  assign status = { 28'h0000000, loading, \port$2$0 , \port$1359$0 , busy };
+  assign error = { 29'h00000000, \port$1365$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
   assign weight_depth = 32'd1024;
