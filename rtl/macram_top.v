@@ -187,7 +187,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .\o__valid$16 (m_axis_tvalid),
     .output_stalls(output_stalls),
     .params__ready(s_axis_param_tready),
-    .\port$1314$0 (command),
+    .\port$1313$0 (command),
     .requant_base(requant_base),
     .rst(rst),
     .weight_base(weight_base),
@@ -228,8 +228,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .output_stalls(output_stalls),
     .param_base(param_base),
     .param_words(words),
-    .\port$1368$0 (done),
-    .\port$1374$0 (error),
+    .\port$1367$0 (done),
+    .\port$1373$0 (error),
     .\port$2$0 (\$1 ),
     .requant_base(requant_base),
     .rst(rst),
@@ -305,7 +305,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy, \i__ready$64 , \o__valid$16 , \i__payload$62 , \i__payload$6 , \port$1314$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$642 
+module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy, \i__ready$64 , \o__valid$16 , \i__payload$62 , \i__payload$6 , \port$1313$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$642 
 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$12 , params__ready, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
@@ -2002,8 +2002,8 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   output params__ready;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1314$0 ;
-  wire [3:0] \port$1314$0 ;
+  input [3:0] \port$1313$0 ;
+  wire [3:0] \port$1313$0 ;
   wire [16:0] read;
   wire [7:0] \read.address ;
   wire \read.apart ;
@@ -2531,8 +2531,8 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \$29  = first_beat | \$signal$635 ;
   assign \$30  = ~ ended;
   assign \$signal$634  = \$29  & \$30 ;
-  assign \$31  = \port$1314$0 [2:0] - 1'h1;
-  assign \$32  = { 1'h0, \port$1314$0 [2:0] } & \$31 ;
+  assign \$31  = \port$1313$0 [2:0] - 1'h1;
+  assign \$32  = { 1'h0, \port$1313$0 [2:0] } & \$31 ;
   assign \$33  = | \$32 ;
   assign \$34  = | \wait ;
   assign \$35  = \wait  - 1'h1;
@@ -2605,7 +2605,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign last_beat = \$2  & \$4 ;
   assign \$5  = | \wait ;
   assign busy = running | \$5 ;
-  assign \$signal  = params__ready ? to_requant : \port$1314$0 [2];
+  assign \$signal  = params__ready ? to_requant : \port$1313$0 [2];
   assign load_end = base + words;
   assign \$6  = \$signal  ? 11'h100 : 11'h400;
   assign \$signal$48  = load_end > \$6 ;
@@ -2614,12 +2614,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \$9  = \$signal  ? requant_base : weight_base;
   assign \$10  = load_end > \$9 ;
   assign overlaps = \$8  & \$10 ;
-  assign \$signal$52  = | \port$1314$0 [2:0];
+  assign \$signal$52  = | \port$1313$0 [2:0];
   assign \$11  = ~ busy;
   assign \$12  = ~ params__ready;
   assign idle = \$11  & \$12 ;
-  assign \$13  = \port$1314$0 [2:0] - 1'h1;
-  assign \$14  = { 1'h0, \port$1314$0 [2:0] } & \$13 ;
+  assign \$13  = \port$1313$0 [2:0] - 1'h1;
+  assign \$14  = { 1'h0, \port$1313$0 [2:0] } & \$13 ;
   assign \$15  = | \$14 ;
   \macram_top.array.decoder  decoder (
     .c_in(c_in),
@@ -2632,7 +2632,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .requant_end(requant_end),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1314$0 [3]),
+    .soft_reset(\port$1313$0 [3]),
     .weight_base(weight_base),
     .weight_end(weight_end),
     .width(width)
@@ -2652,7 +2652,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1314$0 [3]),
+    .soft_reset(\port$1313$0 [3]),
     .start(start),
     .valid(i__valid)
   );
@@ -2666,7 +2666,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .o__ready(\o__ready$14 ),
     .o__valid(\o__valid$16 ),
     .rst(rst),
-    .soft_reset(\port$1314$0 [3])
+    .soft_reset(\port$1313$0 [3])
   );
   \macram_top.array.frame  frame (
     .beats(shape[147:132]),
@@ -2679,9 +2679,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .o__ready(\o__ready$70 ),
     .o__valid(\i__valid$72 ),
     .open(open),
-    .\port$1409$0 (shape[31:0]),
+    .\port$1408$0 (shape[31:0]),
     .rst(rst),
-    .soft_reset(\port$1314$0 [3]),
+    .soft_reset(\port$1313$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
@@ -2693,9 +2693,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .o__payload(\i__payload$74 ),
     .o__ready(\o__ready$76 ),
     .o__valid(\i__valid$78 ),
-    .\port$1409$79 (shape[92:79]),
+    .\port$1408$79 (shape[92:79]),
     .rst(rst),
-    .soft_reset(\port$1314$0 [3])
+    .soft_reset(\port$1313$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
@@ -2709,7 +2709,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1314$0 [3]),
+    .soft_reset(\port$1313$0 [3]),
     .start(start),
     .word(activations)
   );
@@ -2721,12 +2721,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .i__payload(\i__payload$6 ),
     .i__ready(params__ready),
     .i__valid(\i__valid$10 ),
-    .\port$1691$0 (\$72 ),
-    .\port$1693$0 (\$73 ),
-    .\port$1695$0 (\$74 ),
+    .\port$1690$0 (\$72 ),
+    .\port$1692$0 (\$73 ),
+    .\port$1694$0 (\$74 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1314$0 [3]),
+    .soft_reset(\port$1313$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
     .to_requant(to_requant),
@@ -2745,7 +2745,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1314$0 [3]),
+    .soft_reset(\port$1313$0 [3]),
     .start(start),
     .starved(starved),
     .\step$51 (step),
@@ -3588,7 +3588,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     \$signal$54  = 3'h0;
     if (\$15 ) begin
       \$signal$54  = 3'h5;
-    end else if (\port$1314$0 [0]) begin
+    end else if (\port$1313$0 [0]) begin
       if (busy) begin
         \$signal$54  = 3'h5;
       end
@@ -3604,13 +3604,13 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_weights = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1314$0 [0]) begin
+    end else if (\port$1313$0 [0]) begin
     end else if (\$signal$52 ) begin
       (* full_case = 32'd1 *)
       if (\$17 ) begin
       end else if (\$21 ) begin
       end else begin
-        start_weights = \port$1314$0 [1];
+        start_weights = \port$1313$0 [1];
       end
     end
   end
@@ -3618,13 +3618,13 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_requant = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1314$0 [0]) begin
+    end else if (\port$1313$0 [0]) begin
     end else if (\$signal$52 ) begin
       (* full_case = 32'd1 *)
       if (\$17 ) begin
       end else if (\$21 ) begin
       end else begin
-        start_requant = \port$1314$0 [2];
+        start_requant = \port$1313$0 [2];
       end
     end
   end
@@ -3655,7 +3655,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     end else if (last_beat0) begin
       \$53  = 1'h1;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$53  = 1'h0;
     end
     if (rst) begin
@@ -3666,7 +3666,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$54  = \wait ;
     if (\$33 ) begin
-    end else if (\port$1314$0 [0]) begin
+    end else if (\port$1313$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
@@ -3676,7 +3676,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$34 ) begin
       \$54  = \$35 [1:0];
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$54  = 2'h0;
     end
     if (rst) begin
@@ -3687,7 +3687,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$55  = done;
     if (\$33 ) begin
-    end else if (\port$1314$0 [0]) begin
+    end else if (\port$1313$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
@@ -3700,7 +3700,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$40 ) begin
       \$55  = 1'h0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$55  = 1'h0;
     end
     if (rst) begin
@@ -3716,7 +3716,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$39 ) begin
       \$56  = 1'h0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$56  = 1'h0;
     end
     if (rst) begin
@@ -3732,7 +3732,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$39 ) begin
       \$57  = 1'h0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$57  = 1'h0;
     end
     if (rst) begin
@@ -3755,7 +3755,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
         \$58  = \error$646 ;
       end
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$58  = 3'h0;
     end
     if (rst) begin
@@ -3765,7 +3765,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$59  = step[36:27];
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$59  = 10'h000;
     end
     if (rst) begin
@@ -3775,7 +3775,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$60  = control0;
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$60  = 10'h000;
     end
     if (rst) begin
@@ -3785,7 +3785,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$61  = control1;
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$61  = 10'h000;
     end
     if (rst) begin
@@ -3795,7 +3795,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$62  = control;
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$62  = 10'h000;
     end
     if (rst) begin
@@ -3811,7 +3811,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$63  = 1'h0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$63  = 1'h0;
     end
     if (rst) begin
@@ -3827,7 +3827,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$64  = 1'h0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$64  = 1'h0;
     end
     if (rst) begin
@@ -3843,7 +3843,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$65  = 1'h0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$65  = 1'h0;
     end
     if (rst) begin
@@ -3859,7 +3859,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$66  = 32'd0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$66  = 32'd0;
     end
     if (rst) begin
@@ -3877,7 +3877,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$67  = 32'd0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$67  = 32'd0;
     end
     if (rst) begin
@@ -3896,7 +3896,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$68  = 32'd0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$68  = 32'd0;
     end
     if (rst) begin
@@ -3916,7 +3916,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$69  = 32'd0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$69  = 32'd0;
     end
     if (rst) begin
@@ -3937,7 +3937,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$70  = 32'd0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$70  = 32'd0;
     end
     if (rst) begin
@@ -3960,7 +3960,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$71  = 32'd0;
     end
-    if (\port$1314$0 [3]) begin
+    if (\port$1313$0 [3]) begin
       \$71  = 32'd0;
     end
     if (rst) begin
@@ -3987,7 +3987,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign param_base = base;
   assign loading = params__ready;
   assign \busy$43  = params__ready;
-  assign command = \port$1314$0 [2:0];
+  assign command = \port$1313$0 [2:0];
   assign \shape$61  = shape;
   assign \i__payload$63  = \i__payload$62 ;
   assign \i__ready$65  = \i__ready$64 ;
@@ -4473,7 +4473,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \control$630  = control;
   assign \shift$631  = shift;
   assign \chain_i$632  = \chain_o$154 ;
-  assign soft_reset = \port$1314$0 [3];
+  assign soft_reset = \port$1313$0 [3];
   assign \i__payload.data  = i__payload[47:0];
   assign \i__payload.pixel_last  = i__payload[48];
   assign \i__payload.last  = i__payload[49];
@@ -8508,7 +8508,7 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   assign \$2  = { 64'h0000000000000000, buffer[111:64] };
 endmodule
 
-module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1409$0 , beats, open, clk);
+module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1408$0 , beats, open, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$6  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -8563,8 +8563,8 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   wire o__valid;
   output open;
   reg open = 1'h0;
-  input [31:0] \port$1409$0 ;
-  wire [31:0] \port$1409$0 ;
+  input [31:0] \port$1408$0 ;
+  wire [31:0] \port$1408$0 ;
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
@@ -8579,10 +8579,10 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   assign \$1  = \$signal$9  + 1'h1;
   assign \$signal$8  = \$1  == beats;
   assign \$2  = \$signal$12  + 1'h1;
-  assign \$3  = \$2  == \port$1409$0 [31:16];
+  assign \$3  = \$2  == \port$1408$0 [31:16];
   assign \$signal$11  = \$signal$8  & \$3 ;
   assign \$4  = row + 1'h1;
-  assign \$5  = \$4  == \port$1409$0 [15:0];
+  assign \$5  = \$4  == \port$1408$0 [15:0];
   assign \$signal$14  = \$signal$11  & \$5 ;
   assign \$6  = i__payload[64] != \$signal$14 ;
   assign fault = \$signal  & \$6 ;
@@ -8671,13 +8671,13 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
     end
   end
   assign o__payload = i__payload[63:0];
-  assign width = \port$1409$0 [31:16];
-  assign height = \port$1409$0 [15:0];
+  assign width = \port$1408$0 [31:16];
+  assign height = \port$1408$0 [15:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1409$79 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1408$79 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -8730,8 +8730,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1409$79 ;
-  wire [13:0] \port$1409$79 ;
+  input [13:0] \port$1408$79 ;
+  wire [13:0] \port$1408$79 ;
   wire put;
   input rst;
   wire rst;
@@ -8739,7 +8739,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire soft_reset;
   reg [15:0] words_out = 16'h0000;
   wire [15:0] words_per_pixel;
-  assign \$1  = \port$1409$79  - 1'h1;
+  assign \$1  = \port$1408$79  - 1'h1;
   assign \$3  = \$signal$6  ? \$2  : buffer;
   assign \$4  = \$signal  ? 112'h0000000000000000000000000000 : \$3 ;
   assign \$5  = put ? i__payload : 64'h0000000000000000;
@@ -8829,7 +8829,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
       \$27  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1409$79  };
+  assign words_per_pixel = { 2'h0, \port$1408$79  };
   assign \$like  = \$20 [6:0];
   assign o__payload = buffer[47:0];
   assign \$2  = { 48'h000000000000, buffer[111:48] };
@@ -9297,7 +9297,7 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   assign \read.inner  = read[16];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1691$0 , \port$1693$0 , \port$1695$0 , i__ready, to_requant, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1690$0 , \port$1692$0 , \port$1694$0 , i__ready, to_requant, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
@@ -9368,13 +9368,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 10'h000 *)
-  output [9:0] \port$1691$0 ;
-  wire [9:0] \port$1691$0 ;
+  output [9:0] \port$1690$0 ;
+  wire [9:0] \port$1690$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1693$0 ;
-  wire [7:0] \port$1693$0 ;
-  output [671:0] \port$1695$0 ;
-  wire [671:0] \port$1695$0 ;
+  output [7:0] \port$1692$0 ;
+  wire [7:0] \port$1692$0 ;
+  output [671:0] \port$1694$0 ;
+  wire [671:0] \port$1694$0 ;
   wire [679:0] requant;
   wire [7:0] \requant.addr ;
   wire [671:0] \requant.data ;
@@ -9575,9 +9575,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[647:576], \$27  };
   assign requant = { shifter[671:0], \$29  };
-  assign \port$1691$0  = \$27 ;
-  assign \port$1693$0  = \$29 ;
-  assign \port$1695$0  = shifter[671:0];
+  assign \port$1690$0  = \$27 ;
+  assign \port$1692$0  = \$29 ;
+  assign \port$1694$0  = shifter[671:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$27 ;
@@ -9611,48 +9611,49 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   wire \$114 ;
   wire \$115 ;
   wire \$116 ;
-  wire [15:0] \$117 ;
+  wire \$117 ;
   wire [15:0] \$118 ;
-  wire \$119 ;
+  wire [15:0] \$119 ;
   wire \$12 ;
-  wire [13:0] \$120 ;
-  wire [14:0] \$121 ;
-  wire [13:0] \$122 ;
-  wire [15:0] \$123 ;
-  wire [3:0] \$124 ;
-  wire \$125 ;
+  wire \$120 ;
+  wire [13:0] \$121 ;
+  wire [14:0] \$122 ;
+  wire [13:0] \$123 ;
+  wire [15:0] \$124 ;
+  wire [3:0] \$125 ;
   wire \$126 ;
-  wire [3:0] \$127 ;
+  wire \$127 ;
   wire [3:0] \$128 ;
   wire [3:0] \$129 ;
   wire \$13 ;
   wire [3:0] \$130 ;
-  wire \$131 ;
+  wire [3:0] \$131 ;
   wire \$132 ;
   wire \$133 ;
-  wire [11:0] \$134 ;
-  wire [13:0] \$135 ;
-  reg \$136 ;
+  wire \$134 ;
+  wire [11:0] \$135 ;
+  wire [13:0] \$136 ;
   reg \$137 ;
-  reg [17:0] \$138 ;
-  reg \$139 ;
+  reg \$138 ;
+  reg [17:0] \$139 ;
   wire \$14 ;
-  reg [13:0] \$140 ;
-  reg [10:0] \$141 ;
-  reg \$142 ;
-  reg [1:0] \$143 ;
-  reg \$144 ;
+  reg \$140 ;
+  reg [13:0] \$141 ;
+  reg [10:0] \$142 ;
+  reg \$143 ;
+  reg [1:0] \$144 ;
   reg \$145 ;
-  reg [11:0] \$146 ;
-  reg [14:0] \$147 ;
-  reg [8:0] \$148 ;
-  reg [15:0] \$149 ;
+  reg \$146 ;
+  reg [11:0] \$147 ;
+  reg [14:0] \$148 ;
+  reg [8:0] \$149 ;
   wire \$15 ;
-  reg \$150 ;
+  reg [15:0] \$150 ;
   reg \$151 ;
-  reg [13:0] \$152 ;
-  reg \$153 ;
-  reg [50:0] \$154 ;
+  reg \$152 ;
+  reg [13:0] \$153 ;
+  reg \$154 ;
+  reg [50:0] \$155 ;
   wire \$16 ;
   wire \$17 ;
   wire \$18 ;
@@ -10005,66 +10006,67 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   assign \$109  = \$signal$18  + 1'h1;
   assign \$110  = \$signal$17  | flushing;
   assign \$111  = ! shape[64:63];
-  assign \$112  = shape[166] ? triple : \$111 ;
-  assign \$113  = ~ flushing;
-  assign \$114  = \$112  & \$113 ;
-  assign \$115  = shape[15:0] == 1'h1;
-  assign \$116  = \$115  | shape[164];
-  assign \$117  = - shape[62:48];
-  assign \$118  = \$116  ? 16'h0000 : \$117 ;
-  assign \$119  = step & last;
-  assign \$120  = \$signal$8  ? shape[92:79] : 14'h0000;
-  assign \$121  = group_base + \$120 ;
-  assign \$123  = \$121  + \$122 ;
-  assign \$124  = \$signal$13  ? { \$63 [2], 2'h0, \$63 [1] } : { \$63 [3], 2'h0, \$63 [0] };
-  assign \$125  = \$signal$8  & \$signal$15 ;
-  assign \$126  = \$125  & shape[16];
-  assign \$128  = \$126  ? \$127  : \$63 [3:0];
-  assign \$129  = triple ? \$124  : \$128 ;
-  assign \$130  = row_exists ? \$129  : 4'h0;
-  assign \$131  = ~ shape[166];
-  assign \$132  = \$signal$9  & \$131 ;
-  assign \$133  = unload | \$132 ;
-  assign \$134  = unload ? { 8'h00, carried_info[3:0] } : tile;
-  assign \$135  = unload ? carried_info : info;
+  assign \$112  = ~ shape[166];
+  assign \$113  = \$111  & \$112 ;
+  assign \$114  = ~ flushing;
+  assign \$115  = \$113  & \$114 ;
+  assign \$116  = shape[15:0] == 1'h1;
+  assign \$117  = \$116  | shape[164];
+  assign \$118  = - shape[62:48];
+  assign \$119  = \$117  ? 16'h0000 : \$118 ;
+  assign \$120  = step & last;
+  assign \$121  = \$signal$8  ? shape[92:79] : 14'h0000;
+  assign \$122  = group_base + \$121 ;
+  assign \$124  = \$122  + \$123 ;
+  assign \$125  = \$signal$13  ? { \$63 [2], 2'h0, \$63 [1] } : { \$63 [3], 2'h0, \$63 [0] };
+  assign \$126  = \$signal$8  & \$signal$15 ;
+  assign \$127  = \$126  & shape[16];
+  assign \$129  = \$127  ? \$128  : \$63 [3:0];
+  assign \$130  = triple ? \$125  : \$129 ;
+  assign \$131  = row_exists ? \$130  : 4'h0;
+  assign \$132  = ~ shape[166];
+  assign \$133  = \$signal$9  & \$132 ;
+  assign \$134  = unload | \$133 ;
+  assign \$135  = unload ? { 8'h00, carried_info[3:0] } : tile;
+  assign \$136  = unload ? carried_info : info;
   always @(posedge clk)
-    retire <= \$136 ;
+    retire <= \$137 ;
   always @(posedge clk)
-    retire_row <= \$137 ;
+    retire_row <= \$138 ;
   always @(posedge clk)
-    ahead <= \$138 ;
+    ahead <= \$139 ;
   always @(posedge clk)
-    credits <= \$139 ;
+    credits <= \$140 ;
   always @(posedge clk)
-    block <= \$140 ;
+    block <= \$141 ;
   always @(posedge clk)
-    weight <= \$141 ;
+    weight <= \$142 ;
   always @(posedge clk)
-    \$signal$8  <= \$142 ;
+    \$signal$8  <= \$143 ;
   always @(posedge clk)
-    \$signal$10  <= \$143 ;
+    \$signal$10  <= \$144 ;
   always @(posedge clk)
-    \$signal$25  <= \$144 ;
+    \$signal$25  <= \$145 ;
   always @(posedge clk)
-    \$signal$13  <= \$145 ;
+    \$signal$13  <= \$146 ;
   always @(posedge clk)
-    tile <= \$146 ;
+    tile <= \$147 ;
   always @(posedge clk)
-    \$signal$16  <= \$147 ;
+    \$signal$16  <= \$148 ;
   always @(posedge clk)
-    group_base <= \$148 ;
+    group_base <= \$149 ;
   always @(posedge clk)
-    \$signal$18  <= \$149 ;
+    \$signal$18  <= \$150 ;
   always @(posedge clk)
-    flushing <= \$150 ;
+    flushing <= \$151 ;
   always @(posedge clk)
-    busy <= \$151 ;
+    busy <= \$152 ;
   always @(posedge clk)
-    carried_info <= \$152 ;
+    carried_info <= \$153 ;
   always @(posedge clk)
-    valid <= \$153 ;
+    valid <= \$154 ;
   always @(posedge clk)
-    \step$51  <= \$154 ;
+    \step$51  <= \$155 ;
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
     (* full_case = 32'd1 *)
@@ -10079,20 +10081,7 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$136  = \$83 ;
-    if (start) begin
-      \$136  = 1'h0;
-    end
-    if (soft_reset) begin
-      \$136  = 1'h0;
-    end
-    if (rst) begin
-      \$136  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$137  = \$85 ;
+    \$137  = \$83 ;
     if (start) begin
       \$137  = 1'h0;
     end
@@ -10105,301 +10094,281 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$138  = \$92 [17:0];
+    \$138  = \$85 ;
     if (start) begin
-      \$138  = { \$118 [15], \$118 [15], \$118  };
+      \$138  = 1'h0;
     end
     if (soft_reset) begin
-      \$138  = 18'h00000;
+      \$138  = 1'h0;
     end
     if (rst) begin
-      \$138  = 18'h00000;
+      \$138  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$139  = credits;
+    \$139  = \$92 [17:0];
+    if (start) begin
+      \$139  = { \$119 [15], \$119 [15], \$119  };
+    end
+    if (soft_reset) begin
+      \$139  = 18'h00000;
+    end
+    if (rst) begin
+      \$139  = 18'h00000;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$140  = credits;
     if (credit) begin
-      \$139  = 1'h1;
+      \$140  = 1'h1;
     end else if (\$94 ) begin
-      \$139  = 1'h0;
+      \$140  = 1'h0;
     end
     if (start) begin
-      \$139  = 1'h1;
+      \$140  = 1'h1;
     end
     if (soft_reset) begin
-      \$139  = 1'h0;
+      \$140  = 1'h0;
     end
     if (rst) begin
-      \$139  = 1'h0;
+      \$140  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$140  = block;
+    \$141  = block;
     if (step) begin
-      \$140  = \$95 [13:0];
+      \$141  = \$95 [13:0];
       if (\$signal ) begin
-        \$140  = 14'h0000;
+        \$141  = 14'h0000;
       end
     end
     if (start) begin
-      \$140  = 14'h0000;
+      \$141  = 14'h0000;
     end
     if (soft_reset) begin
-      \$140  = 14'h0000;
+      \$141  = 14'h0000;
     end
     if (rst) begin
-      \$140  = 14'h0000;
+      \$141  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$141  = weight;
+    \$142  = weight;
     if (step) begin
-      \$141  = \$96 [10:0];
+      \$142  = \$96 [10:0];
       if (last) begin
         if (\$101 ) begin
-          \$141  = \$103 [10:0];
+          \$142  = \$103 [10:0];
         end
         if (\$signal$14 ) begin
-          \$141  = { 1'h0, weight_base };
+          \$142  = { 1'h0, weight_base };
         end
       end
     end
     if (start) begin
-      \$141  = { 1'h0, weight_base };
+      \$142  = { 1'h0, weight_base };
     end
     if (soft_reset) begin
-      \$141  = 11'h000;
+      \$142  = 11'h000;
     end
     if (rst) begin
-      \$141  = 11'h000;
+      \$142  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$142  = \$signal$8 ;
+    \$143  = \$signal$8 ;
     if (step) begin
       if (\$signal ) begin
-        \$142  = \$98 ;
+        \$143  = \$98 ;
       end
       if (last) begin
-        \$142  = 1'h0;
+        \$143  = 1'h0;
       end
     end
     if (start) begin
-      \$142  = 1'h0;
+      \$143  = 1'h0;
     end
     if (soft_reset) begin
-      \$142  = 1'h0;
+      \$143  = 1'h0;
     end
     if (rst) begin
-      \$142  = 1'h0;
+      \$143  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$143  = \$signal$10 ;
+    \$144  = \$signal$10 ;
     if (step) begin
       if (kernel_row_last) begin
-        \$143  = \$99 [1:0];
+        \$144  = \$99 [1:0];
       end
       if (last) begin
-        \$143  = 2'h0;
+        \$144  = 2'h0;
       end
     end
     if (start) begin
-      \$143  = 2'h0;
+      \$144  = 2'h0;
     end
     if (soft_reset) begin
-      \$143  = 2'h0;
+      \$144  = 2'h0;
     end
     if (rst) begin
-      \$143  = 2'h0;
+      \$144  = 2'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$144  = \$signal$25 ;
+    \$145  = \$signal$25 ;
     if (step) begin
       if (last) begin
-        \$144  = triple;
+        \$145  = triple;
       end
     end
     if (unload) begin
-      \$144  = 1'h0;
+      \$145  = 1'h0;
     end
     if (start) begin
-      \$144  = 1'h0;
+      \$145  = 1'h0;
     end
     if (soft_reset) begin
-      \$144  = 1'h0;
+      \$145  = 1'h0;
     end
     if (rst) begin
-      \$144  = 1'h0;
+      \$145  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$145  = \$signal$13 ;
+    \$146  = \$signal$13 ;
     if (step) begin
       if (last) begin
         (* full_case = 32'd1 *)
         if (\$101 ) begin
-          \$145  = 1'h1;
+          \$146  = 1'h1;
         end else begin
-          \$145  = 1'h0;
+          \$146  = 1'h0;
         end
       end
     end
     if (start) begin
-      \$145  = 1'h0;
+      \$146  = 1'h0;
     end
     if (soft_reset) begin
-      \$145  = 1'h0;
+      \$146  = 1'h0;
     end
     if (rst) begin
-      \$145  = 1'h0;
+      \$146  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$146  = tile;
+    \$147  = tile;
     if (step) begin
       if (last) begin
         (* full_case = 32'd1 *)
         if (\$101 ) begin
         end else begin
-          \$146  = \$105 [11:0];
+          \$147  = \$105 [11:0];
         end
         if (\$signal$14 ) begin
-          \$146  = 12'h000;
+          \$147  = 12'h000;
         end
       end
     end
     if (start) begin
-      \$146  = 12'h000;
+      \$147  = 12'h000;
     end
     if (soft_reset) begin
-      \$146  = 12'h000;
+      \$147  = 12'h000;
     end
     if (rst) begin
-      \$146  = 12'h000;
+      \$147  = 12'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$147  = \$signal$16 ;
+    \$148  = \$signal$16 ;
     if (step) begin
       if (last) begin
         if (\$signal$14 ) begin
-          \$147  = \$106 [14:0];
+          \$148  = \$106 [14:0];
           if (\$108 ) begin
-            \$147  = 15'h0000;
+            \$148  = 15'h0000;
           end
         end
       end
     end
     if (start) begin
-      \$147  = 15'h0000;
+      \$148  = 15'h0000;
     end
     if (soft_reset) begin
-      \$147  = 15'h0000;
+      \$148  = 15'h0000;
     end
     if (rst) begin
-      \$147  = 15'h0000;
+      \$148  = 15'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$148  = group_base;
+    \$149  = group_base;
     if (step) begin
       if (last) begin
         if (\$signal$14 ) begin
-          \$148  = \$107 [8:0];
+          \$149  = \$107 [8:0];
           if (\$108 ) begin
-            \$148  = 9'h000;
+            \$149  = 9'h000;
           end
         end
       end
     end
     if (start) begin
-      \$148  = 9'h000;
+      \$149  = 9'h000;
     end
     if (soft_reset) begin
-      \$148  = 9'h000;
+      \$149  = 9'h000;
     end
     if (rst) begin
-      \$148  = 9'h000;
+      \$149  = 9'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$149  = \$signal$18 ;
+    \$150  = \$signal$18 ;
     if (step) begin
       if (last) begin
         if (\$signal$14 ) begin
           if (\$108 ) begin
-            \$149  = \$109 [15:0];
+            \$150  = \$109 [15:0];
           end
         end
       end
     end
     if (start) begin
-      \$149  = 16'h0000;
+      \$150  = 16'h0000;
     end
     if (soft_reset) begin
-      \$149  = 16'h0000;
+      \$150  = 16'h0000;
     end
     if (rst) begin
-      \$149  = 16'h0000;
+      \$150  = 16'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$150  = flushing;
+    \$151  = flushing;
     if (step) begin
       if (last) begin
         if (\$signal$14 ) begin
           if (\$108 ) begin
             if (\$110 ) begin
               (* full_case = 32'd1 *)
-              if (\$114 ) begin
-                \$150  = 1'h1;
-              end else begin
-                \$150  = 1'h0;
-              end
-            end
-          end
-        end
-      end
-    end
-    if (unload) begin
-      if (flushing) begin
-        \$150  = 1'h0;
-      end
-    end
-    if (start) begin
-      \$150  = 1'h0;
-    end
-    if (soft_reset) begin
-      \$150  = 1'h0;
-    end
-    if (rst) begin
-      \$150  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$151  = busy;
-    if (step) begin
-      if (last) begin
-        if (\$signal$14 ) begin
-          if (\$108 ) begin
-            if (\$110 ) begin
-              (* full_case = 32'd1 *)
-              if (\$114 ) begin
+              if (\$115 ) begin
+                \$151  = 1'h1;
               end else begin
                 \$151  = 1'h0;
               end
@@ -10408,67 +10377,90 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
         end
       end
     end
-    if (unload) begin
-      if (flushing) begin
-        \$151  = 1'h0;
+    if (start) begin
+      \$151  = 1'h0;
+    end
+    if (soft_reset) begin
+      \$151  = 1'h0;
+    end
+    if (rst) begin
+      \$151  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
+    \$152  = busy;
+    if (step) begin
+      if (last) begin
+        if (\$signal$14 ) begin
+          if (\$108 ) begin
+            if (\$110 ) begin
+              (* full_case = 32'd1 *)
+              if (\$115 ) begin
+              end else begin
+                \$152  = 1'h0;
+              end
+            end
+          end
+        end
       end
     end
     if (start) begin
-      \$151  = 1'h1;
+      \$152  = 1'h1;
     end
     if (soft_reset) begin
-      \$151  = 1'h0;
+      \$152  = 1'h0;
     end
     if (rst) begin
-      \$151  = 1'h0;
+      \$152  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$152  = carried_info;
-    if (\$119 ) begin
-      \$152 [12:0] = info[12:0];
-      \$152 [13] = 1'h1;
+    \$153  = carried_info;
+    if (\$120 ) begin
+      \$153 [12:0] = info[12:0];
+      \$153 [13] = 1'h1;
     end
     if (soft_reset) begin
-      \$152  = 14'h0000;
+      \$153  = 14'h0000;
     end
     if (rst) begin
-      \$152  = 14'h0000;
+      \$153  = 14'h0000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$153  = step;
+    \$154  = step;
     if (soft_reset) begin
-      \$153  = 1'h0;
+      \$154  = 1'h0;
     end
     if (rst) begin
-      \$153  = 1'h0;
+      \$154  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$10 ) begin end
-    \$154 [1:0] = \$54 [1:0];
-    \$154 [9:2] = \$123 [7:0];
-    \$154 [10] = block[0];
-    \$154 [14:11] = \$130 ;
-    \$154 [15] = triple;
-    \$154 [16] = \$signal$13 ;
-    \$154 [26:17] = weight[9:0];
-    \$154 [27] = step;
-    \$154 [28] = \$signal$9 ;
-    \$154 [30] = last;
-    \$154 [31] = \edge ;
-    \$154 [29] = \$133 ;
-    \$154 [35:32] = \$134 [3:0];
-    \$154 [36] = unload;
-    \$154 [50:37] = \$135 ;
+    \$155 [1:0] = \$54 [1:0];
+    \$155 [9:2] = \$124 [7:0];
+    \$155 [10] = block[0];
+    \$155 [14:11] = \$131 ;
+    \$155 [15] = triple;
+    \$155 [16] = \$signal$13 ;
+    \$155 [26:17] = weight[9:0];
+    \$155 [27] = step;
+    \$155 [28] = \$signal$9 ;
+    \$155 [30] = last;
+    \$155 [31] = \edge ;
+    \$155 [29] = \$134 ;
+    \$155 [35:32] = \$135 [3:0];
+    \$155 [36] = unload;
+    \$155 [50:37] = \$136 ;
     if (soft_reset) begin
-      \$154  = 51'h0000000000000;
+      \$155  = 51'h0000000000000;
     end
     if (rst) begin
-      \$154  = 51'h0000000000000;
+      \$155  = 51'h0000000000000;
     end
   end
   assign source_row_below = \$47 [16:0];
@@ -10542,8 +10534,8 @@ module \macram_top.array.sequencer (rst, starved, blocked, issue, credit, soft_r
   assign info[4] = \$signal$14 ;
   assign info[3:0] = tile[3:0];
   assign info[13] = 1'h0;
-  assign \$122  = { 1'h0, block[13:1] };
-  assign \$127  = { 1'h0, \$63 [3:1] };
+  assign \$123  = { 1'h0, block[13:1] };
+  assign \$128  = { 1'h0, \$63 [3:1] };
 endmodule
 
 module \macram_top.array.unit000 (rst, core__shift, chain_o, core__chain_i, core__control, core__activations, address, write__addr, write__data, write__en, clk);
@@ -19059,7 +19051,7 @@ module \macram_top.array.unit063 (rst, core__shift, core__chain_i, chain_o, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1368$0 , \port$1374$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
+, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1367$0 , \port$1373$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -19183,10 +19175,10 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
   wire [31:0] partial_c_in;
-  input \port$1368$0 ;
-  wire \port$1368$0 ;
-  input [2:0] \port$1374$0 ;
-  wire [2:0] \port$1374$0 ;
+  input \port$1367$0 ;
+  wire \port$1367$0 ;
+  input [2:0] \port$1373$0 ;
+  wire [2:0] \port$1373$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
   output [31:0] requant_base;
@@ -19523,9 +19515,9 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h02:
             \$43  = 32'd0;
         5'h03:
-            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1368$0 , busy };
+            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1367$0 , busy };
         5'h04:
-            \$43  = { 29'h00000000, \port$1374$0  };
+            \$43  = { 29'h00000000, \port$1373$0  };
         5'h05:
             \$43  = height;
         5'h06:
@@ -20158,8 +20150,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       \$35  = 32'd0;
     end
   end
-  assign status = { 28'h0000000, loading, \port$2$0 , \port$1368$0 , busy };
-  assign error = { 29'h00000000, \port$1374$0  };
+  assign status = { 28'h0000000, loading, \port$2$0 , \port$1367$0 , busy };
+  assign error = { 29'h00000000, \port$1373$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
   assign weight_depth = 32'd1024;

@@ -60,7 +60,7 @@ class Sequencer(wiring.Component):
         start: In, begin an image. shape, weight_base: In, constant during a run.
         group_written, image_written: In, from the line buffer. retire, retire_row: Out, to it.
         credit: In, strobe: the result registers will be free in time for one more last step.
-        valid, step: Out. busy: Out, steps remain.
+        valid, step: Out. busy: Out, steps remain; behind the last one carried lanes may still have to be moved.
         issue, starved, blocked: Out, this cycle decided a multiply-accumulate step, lacked pixels,
         lacked credit.
         flushing: Out, only flush steps remain.
@@ -175,14 +175,12 @@ class Sequencer(wiring.Component):
                     with m.If(group_last | flushing):
                         m.d.sync += [group.eq(0), group_base.eq(0), row.eq(row + 1)]
                         with m.If(row_last | flushing):
-                            with m.If(Mux(shape.packed, triple, shape.tail == 0) & ~flushing):
+                            with m.If((shape.tail == 0) & ~shape.packed & ~flushing):
                                 m.d.sync += flushing.eq(1)
                             with m.Else():
                                 m.d.sync += [self.busy.eq(0), flushing.eq(0)]
         with m.If(unload):
             m.d.sync += unload_due.eq(0)
-            with m.If(flushing):
-                m.d.sync += [self.busy.eq(0), flushing.eq(0)]
         with m.If(self.start):
             m.d.sync += [
                 row.eq(0), group.eq(0), tile.eq(0), kernel_row.eq(0), odd.eq(0), block.eq(0),

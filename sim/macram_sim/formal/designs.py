@@ -42,6 +42,14 @@ module macram_ram #(parameter WIDTH = 1, DEPTH = 1, ADDR_BITS = 1, LANES = 1, IN
     (* anyseq *) wire [WIDTH-1:0] any;
     always @(posedge clk) if (read_en) read_data <= any;
 endmodule
+module macram_lutram #(parameter WIDTH = 1, DEPTH = 1, ADDR_BITS = 1, LANES = 1, INIT_FILE = "") (
+    input wire clk, input wire [LANES-1:0] write_en, input wire [ADDR_BITS-1:0] write_addr,
+    input wire [WIDTH-1:0] write_data,
+    input wire [ADDR_BITS-1:0] read_addr, output wire [WIDTH-1:0] read_data
+);
+    (* anyseq *) wire [WIDTH-1:0] any;
+    assign read_data = any;
+endmodule
 module macram_unit(
     input wire clk, rst, shift, input wire [{control}:0] control, input wire [{weight}:0] weight,
     input wire [{activations}:0] activations, input wire [{chain}:0] chain_i, output wire [{chain}:0] chain_o
