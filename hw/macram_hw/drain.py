@@ -103,7 +103,8 @@ class Drain(wiring.Component):
         ]
         if config.partial_sum_c_in:
             can, gives = Signal(), self.gives
-            summed = self._partial_sums(m, can, active, last_cycle, info)
+            last = (index == cycles - 1) & info.tile_last & info.image_last
+            summed = self._partial_sums(m, can, active, last)
             m.d.comb += [
                 can.eq(busy | (pending & free)),
                 begin.eq(active & ~busy),
@@ -269,7 +270,7 @@ class Drain(wiring.Component):
             m.d.sync += [section.eq(0), out_section.eq(0), slot.eq(0), word.eq(0)]
         return m
 
-    def _partial_sums(self, m, can, active, last_cycle, info):
+    def _partial_sums(self, m, can, active, last):
         """The heads with what is added to them; ``active`` where all streams of the run that ``can`` go on do so."""
         summed = Signal(sum_layout(self._config))
         for channel, sums in enumerate(summed):
@@ -283,6 +284,6 @@ class Drain(wiring.Component):
             self.results.valid.eq(can & self.gives & (self.addends.valid | ~self.takes)),
             self.results.payload.sums.eq(summed),
             self.results.payload.last.eq(self.last),
-            self.last.eq(last_cycle & info.tile_last & info.image_last),
+            self.last.eq(last),
         ]
         return summed

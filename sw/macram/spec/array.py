@@ -30,7 +30,7 @@ RESIDUAL = IntFormat(8)
 MAX_BRANCH_BITS = 3
 """Most bits of the codes that the residual adder takes: its table lies in registers."""
 MAX_SUM_CHANNELS = 1 << 16
-"""Most input channels of a layer in blocks: at 8 bits their sums have 37 bits."""
+"""Most input channels of a layer in blocks: at 8 bits their sums have 36 bits."""
 MAX_SIDE = 0xFFFF
 """Largest height and width of an image."""
 ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4, "dsp48e2_2x": 5, "soft": 1}
