@@ -113,7 +113,7 @@ RUN_CYCLES = 58
 
 
 def _run() -> str:
-    """From START to DONE: up to 4 pixels in 2 rows, up to 2 blocks, or 2 tiles of 2 pixels; any contents, gaps, stalls."""
+    """From START to DONE: 4 pixels in 2 rows, 2 blocks, or 2 tiles of 2 pixels, or less; any contents, gaps, stalls."""
     bits = SMALL.stream_bits
     return (
         OPENING
