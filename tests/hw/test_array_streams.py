@@ -212,3 +212,32 @@ def test_faults_and_a_reset():
         await bench.take(ctx)
 
     simulate(bench.dut, source, sink)
+
+
+@pytest.mark.parametrize(
+    ("command", "base", "words", "allowed"),
+    [
+        (Control.LOAD_WEIGHTS, 0, 6, True),
+        (Control.LOAD_WEIGHTS, 0, 7, False),
+        (Control.LOAD_WEIGHTS, 11, 1, False),
+        (Control.LOAD_WEIGHTS, 12, 6, True),
+        (Control.LOAD_REQUANT, 1, 1, True),
+        (Control.LOAD_REQUANT, 1, 2, False),
+        (Control.LOAD_REQUANT, 5, 3, False),
+        (Control.LOAD_REQUANT, 6, 2, True),
+    ],
+)
+def test_a_load_beside_an_image_may_touch_but_not_overlap_its_words(command, base, words, allowed):
+    """The layer has the weight words 6 to 11 and the requantiser words 2 to 5."""
+    bench = Bench(ARRAYS["portable"], random_case(ConvSpec(3, 4, 3, 4), SEED), 0.0, 0.0)
+    core = bench.core
+
+    async def source(ctx):
+        await bench.command(ctx, Control.START, weight_base=6, requant_base=2)
+        assert (ctx.get(core.busy), ctx.get(core.error)) == (1, Error.NONE)
+        await bench.command(ctx, command, weight_base=6, requant_base=2, param_base=base, words=words)
+        wanted = (1, Error.NONE) if allowed else (0, Error.BAD_RANGE)
+        assert (ctx.get(core.loading), ctx.get(core.error)) == wanted
+        assert ctx.get(core.busy)
+
+    simulate(bench.dut, source)

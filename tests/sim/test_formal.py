@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from macram_sim.formal import PROOFS, Break, prove
+from macram_sim.formal.harness import OPENING
 
 FAST = [proof for proof in PROOFS if proof.fast]
 
@@ -41,3 +42,31 @@ def test_a_break_that_no_longer_applies_is_an_error(tmp_path):
     (tmp_path / "macram_hw" / "part.py").write_text("a = 1\na = 1\n")
     with pytest.raises(ValueError, match=r"part\.py holds 'a = 1' 2 times; bring"):
         Break("part.py", "a = 1", "a = 2").apply(tmp_path)
+
+
+@pytest.mark.slow
+def test_the_last_cycle_of_a_bounded_proof_counts(tmp_path):
+    """An end that never comes shows in the last cycle alone."""
+    proof = next(proof for proof in PROOFS if proof.name == "frame")
+    never = OPENING + "    always @(posedge clk) assert (age != 4);\nendmodule\n"
+    assert prove(replace(proof, harness=lambda: never, depth=4, breaks=()), tmp_path).passed
+    assert not prove(replace(proof, harness=lambda: never, depth=5, breaks=()), tmp_path).passed
+
+
+@pytest.mark.slow
+def test_a_late_fault_is_found_without_a_search_before(tmp_path):
+    proof = next(proof for proof in PROOFS if proof.name == "frame")
+    (change, *_) = proof.breaks
+    late = (
+        OPENING
+        + """
+    wire open;
+    dut dut(.clk(clk), .rst(rst), .start(1'b0), .i__valid(1'b1), .o__ready(1'b1), .o__valid(open));
+    always @(posedge clk) if (age > 1) assert (age < 16 || !open);
+endmodule
+"""
+    )
+    verdict = prove(
+        replace(proof, harness=lambda: late, depth=17, breaks=(replace(change, late=True),)), tmp_path
+    )
+    assert list(verdict.noticed.values()) == [True], verdict.fault

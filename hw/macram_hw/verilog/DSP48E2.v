@@ -1,12 +1,6 @@
 // Simulation model of the DSP48E2 slice (AMD UG579), as far as the row engines use it: pre-adder on the B side,
 // 27 x 18 multiplier, 48-bit ALU adding the product to zero, all pipeline registers. Bit-true; not for synthesis, where
-// the vendor's primitive of the same name takes its place. A setting that is not modelled stops the simulation, and a
-// proof fails.
-`ifdef FORMAL
-`define NOT_MODELLED(text) assert (0)
-`else
-`define NOT_MODELLED(text) $fatal(1, text)
-`endif
+// the vendor's primitive of the same name takes its place. A setting that is not modelled stops the simulation.
 module DSP48E2 #(
     parameter AMULTSEL = "A",
     parameter BMULTSEL = "B",
@@ -52,10 +46,10 @@ module DSP48E2 #(
     initial begin
         if (AMULTSEL != "A" || BMULTSEL != "AD" || PREADDINSEL != "B" || USE_MULT != "MULTIPLY"
             || USE_SIMD != "ONE48" || A_INPUT != "DIRECT" || B_INPUT != "DIRECT")
-            `NOT_MODELLED("DSP48E2 model: only A * (D - B) with direct inputs is modelled");
+            $fatal(1, "DSP48E2 model: only A * (D - B) with direct inputs is modelled");
         if (AREG != 2 || ACASCREG != 2 || BREG != 1 || BCASCREG != 1 || DREG != 1 || ADREG != 1 || MREG != 1
             || PREG != 1 || CREG + INMODEREG + OPMODEREG + ALUMODEREG + CARRYINREG + CARRYINSELREG != 0)
-            `NOT_MODELLED("DSP48E2 model: only two A registers and one of B, D, AD, M and P are modelled");
+            $fatal(1, "DSP48E2 model: only two A registers and one of B, D, AD, M and P are modelled");
     end
 
     reg signed [29:0] a1, a2;
@@ -87,7 +81,7 @@ module DSP48E2 #(
         if (RSTM) m <= 0; else if (CEM) m <= a_factor * b_factor;
         if (RSTP) P <= 0; else if (CEP) P <= {{3{m[44]}}, m};
         if (OPMODE != 9'b000000101 || ALUMODE != 4'd0 || CARRYIN || CARRYINSEL != 3'd0)
-            `NOT_MODELLED("DSP48E2 model: only P = M is modelled");
+            $fatal(1, "DSP48E2 model: only P = M is modelled");
     end
 
     wire unused = &{1'b0, C, ACIN, BCIN, PCIN, CARRYCASCIN, MULTSIGNIN, CEALUMODE, CEB1, CEC, CECARRYIN, CECTRL,

@@ -5,11 +5,12 @@ from __future__ import annotations
 from macram_sim.formal.accumulators import ACCUMULATORS
 from macram_sim.formal.arithmetic import ARITHMETIC
 from macram_sim.formal.control import CONTROL
+from macram_sim.formal.gearboxes import GEARBOXES
+from macram_sim.formal.images import IMAGES
 from macram_sim.formal.loads import LOADING
 from macram_sim.formal.proof import Break, Proof, ProofVerdict, prove
-from macram_sim.formal.streams import STREAMS
 
-PROOFS: tuple[Proof, ...] = (*STREAMS, *LOADING, *CONTROL, *ARITHMETIC, *ACCUMULATORS)
+PROOFS: tuple[Proof, ...] = (*GEARBOXES, *IMAGES, *LOADING, *CONTROL, *ARITHMETIC, *ACCUMULATORS)
 """Every proof."""
 
 __all__ = ["PROOFS", "Break", "Proof", "ProofVerdict", "prove"]

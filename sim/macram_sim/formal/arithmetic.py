@@ -76,11 +76,6 @@ _BREAKS = {
         Break("product.py", "i_w=self.w", "i_w=self.w[:2]"),
         Break("add3.py", "i_c=self.c", "i_c=self.c[1:]"),
     ),
-    "dsp48e2": (
-        Break(_ENGINE, "fields[k + 1][0] ^ parity[self.WIDE.index(k)]", "fields[k][-1]"),
-        Break(_ENGINE, "self.carries[k].eq(borrow[k - 1])", "self.carries[k].eq(borrow[k])"),
-        Break("dsp48e2.py", 'p_BMULTSEL="AD"', 'p_BMULTSEL="B"'),
-    ),
 }
 
 ARITHMETIC: tuple[Proof, ...] = tuple(
@@ -91,7 +86,7 @@ ARITHMETIC: tuple[Proof, ...] = tuple(
         _engine(kind),
         ENGINE_LATENCY[kind] + 2,
         False,
-        ("engine", {"soft": "product", "dsp48e2": "dsp48e2"}.get(kind, "engine")),
+        ("engine", "product", "add3"),
         breaks,
         primitives=kind == "soft",
     )

@@ -189,7 +189,6 @@ DESIGNS: dict[str, Callable[[], dict[str, str]]] = {
     "loader": _loader,
     "engine portable": lambda: _engine("portable"),
     "engine soft": lambda: _engine("soft", "macram_add3.v", "macram_product.v"),
-    "engine dsp48e2": lambda: _engine("dsp48e2", "DSP48E2.v"),
 }
 """Name -> files of the exported design, the module `DUT` and what it instantiates."""
 

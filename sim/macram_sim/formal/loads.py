@@ -160,7 +160,7 @@ LOADING: tuple[Proof, ...] = (
                 "to_requant, load_end = Signal(), Signal(32)",
             ),
             Break(_ARRAY, "with m.If((self.command & (self.command - 1)).any()):", "with m.If(0):"),
-            Break(_ARRAY, "with m.If(commanded & idle):", "with m.If(commanded):"),
+            Break(_ARRAY, "with m.If(self.loading):", "with m.If(0):"),
         ),
     ),
 )
