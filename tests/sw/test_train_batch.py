@@ -2,6 +2,7 @@ from __future__ import annotations
 
 from dataclasses import fields, replace
 
+import cv2
 import numpy as np
 import pytest
 import torch
@@ -75,6 +76,44 @@ def test_packed_frames_are_the_decoded_ones(settings, frames):
         assert frames.mask_pixels[index] == frame.read_mask().sum()
         inside = frames.mask_points[index].astype(int)
         assert frame.read_mask()[inside[:, 1], inside[:, 0]].all()
+
+
+def test_positives_keep_to_the_hull_of_the_keypoints(settings, tmp_path):
+    """An antenna far outside the box is in the mask, is erased, and teaches no pose."""
+    root = write_scene(tmp_path / "data", counts=(8, 1))
+    places = []
+    for path in sorted((root / "training/seq_000000/000000/mask_visib").iterdir()):
+        mask = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
+        antenna = np.zeros_like(mask)
+        antenna[2:7, 30:62] = 255
+        antenna[mask > 0] = 0
+        cv2.imwrite(str(path), mask | antenna)
+        places.append((mask > 0, antenna > 0))
+    cells = Cells(LEVELS, (64, 64), CPU)
+    chosen = np.arange(8)
+    inside = {}
+    for positives in ("mask", "hull"):
+        new = replace(settings, root=str(root), cache=str(tmp_path / "cache"), positives=positives)
+        packed = pack_frames(new, "training", filled=False)
+        for index, (body, antenna) in enumerate(places):
+            alpha = packed.pixels[index, ..., 3]
+            assert (alpha[antenna] == (128 if positives == "hull" else 255)).all()
+            assert (alpha[body] == 255).mean() > 0.85  # the rim of a drawn polygon lies outside
+            assert not alpha[~(body | antenna)].any()
+        views = draw_views(
+            packed, chosen, np.random.default_rng(0), NONE, size=(64, 64), anchors=LEVELS.anchors,
+            cells=len(cells), noise_places=Warper.noise_places((64, 64)),
+        )  # fmt: skip
+        warper = Warper(packed, CPU, 0, counterfactual=True)
+        inside[positives] = warper.batch(views, cells, (64, 64))
+    at = torch.floor(cells.sampled).long()
+    for index, (_, antenna) in enumerate(places):
+        on_antenna = torch.from_numpy(antenna)[at[:, 1], at[:, 0]]
+        assert on_antenna.any()
+        assert inside["mask"].inside[index][on_antenna].all()
+        assert not inside["hull"].inside[index][on_antenna].any()
+    assert inside["hull"].inside.any(dim=1).all()
+    assert torch.equal(inside["mask"].erased, inside["hull"].erased)
 
 
 def test_second_packing_reads_the_cache_and_a_changed_file_does_not(settings, tmp_path):

@@ -17,12 +17,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from macram.data.erase import grow
-from macram.data.frame import Frame, Model
+from macram.data.frame import Frame, Model, hull_mask
+from macram.data.geometry import project
 from macram.data.open import open_dataset
 from macram.train.settings import DataSettings
 
 LAYOUT = 1
 """Raised whenever packed files change their meaning."""
+PART, BODY = 128, 255
+"""Mask values: 0 elsewhere; cells on ``BODY`` may be positive."""
 MASK_POINTS = 64
 """Pixels of each mask kept as a list, evenly spread over it, to tell how much of it a view shows."""
 INPAINT_RADIUS = 3.0
@@ -35,7 +38,8 @@ class PackedFrames:
 
     Attributes:
         names: of the frames.
-        pixels: uint8 ``[N, H, W, 4]``: red, green, blue, mask (255 where the target is seen).
+        pixels: uint8 ``[N, H, W, 4]``: red, green, blue, mask: 255 where the target is seen, 128 where that is
+            nothing to learn a pose from, see ``data.positives``.
         filled: uint8 ``[N, H, W, 3]``, the picture without the target; None where it is to be blacked out.
         rotation: float64 ``[N, 3, 3]``, object to camera.
         translation: float64 ``[N, 3]``, mm.
@@ -83,9 +87,9 @@ def pack_frames(
     if not frames:
         raise ValueError(f"{settings.root}: split {split} has no frames")
     fill = settings.counterfactual if filled and settings.counterfactual != "erase" else ""
-    folder = cache_root(settings) / _key(frames, fill)
+    folder = cache_root(settings) / _key(frames, fill, settings.positives)
     if not (folder / "done.json").is_file():
-        _write(folder, frames, fill, told or (lambda done, total: None))
+        _write(folder, frames, fill, settings.positives, told or (lambda done, total: None))
     points = np.load(folder / "mask_points.npy")
     return PackedFrames(
         tuple(frame.name for frame in frames),
@@ -114,9 +118,9 @@ def cache_root(settings: DataSettings) -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "macram" / "frames"
 
 
-def _key(frames: Sequence[Frame], fill: str) -> str:
+def _key(frames: Sequence[Frame], fill: str, positives: str) -> str:
     """Changes with anything that decides the packed pixels: files by path, size and time."""
-    digest = hashlib.sha256(f"{LAYOUT} {fill}".encode())
+    digest = hashlib.sha256(f"{LAYOUT} {fill} {positives}".encode())
     for frame in frames:
         files = [frame.image, frame.mask, frame.background if fill == "background" else None]
         stamps = []
@@ -134,7 +138,7 @@ def _key(frames: Sequence[Frame], fill: str) -> str:
     return digest.hexdigest()[:32]
 
 
-def _write(folder: Path, frames: Sequence[Frame], fill: str, told: Told) -> None:
+def _write(folder: Path, frames: Sequence[Frame], fill: str, positives: str, told: Told) -> None:
     folder.parent.mkdir(parents=True, exist_ok=True)
     work = Path(tempfile.mkdtemp(dir=folder.parent, prefix=".packing-"))
     try:
@@ -158,7 +162,9 @@ def _write(folder: Path, frames: Sequence[Frame], fill: str, told: Told) -> None
                 raise ValueError(
                     f"{frame.image}: {image.shape[1]}x{image.shape[0]} pixels, but others have {width}x{height}"
                 )
-            pixels[index, ..., :3], pixels[index, ..., 3] = image, 255 * mask.astype(np.uint8)
+            body = mask & _hull(frame, mask.shape) if positives == "hull" else mask
+            pixels[index, ..., :3] = image
+            pixels[index, ..., 3] = np.where(body, BODY, np.where(mask, PART, 0))
             if filled is not None:
                 filled[index] = frame.read_background() if fill == "background" else _inpainted(image, mask)
             y, x = np.nonzero(mask)
@@ -185,6 +191,11 @@ def _write(folder: Path, frames: Sequence[Frame], fill: str, told: Told) -> None
                 raise
     finally:
         shutil.rmtree(work, ignore_errors=True)
+
+
+def _hull(frame: Frame, shape: tuple[int, int]) -> NDArray[np.bool_]:
+    keypoints = project(frame.camera, frame.rotation, frame.translation[:, None], frame.model.keypoints)
+    return hull_mask(keypoints, shape)
 
 
 def _inpainted(image: NDArray[np.uint8], mask: NDArray[np.bool_]) -> NDArray[np.uint8]:

@@ -12,6 +12,7 @@ STAGES = ("wdr", "counterfactual", "control", "lsq")
 """1: factual path. 2: the three paths. 1 continued for as long as 2, to compare. 3: quantised."""
 FILLS = ("erase", "background", "inpaint")
 """What the counterfactual picture shows in the target's place: black, the true background, a guess."""
+POSITIVES = ("mask", "hull")
 BITS = (3, 8)
 
 
@@ -74,6 +75,8 @@ class DataSettings:
         counterfactual: one of `FILLS`; read by the counterfactual stage.
         limit: use only this many frames, evenly spaced; 0 for all.
         cache: folder for packed frames; empty for the user's cache folder.
+        positives: which cells may learn the pose: those on the ``mask``, as published, or only those of them inside
+            the ``hull`` of the keypoints, without antennas and whatever else sticks out.
     """
 
     root: str
@@ -83,9 +86,11 @@ class DataSettings:
     counterfactual: str = "erase"
     limit: int = 0
     cache: str = ""
+    positives: str = "mask"
 
     def __post_init__(self) -> None:
         _choice("data.counterfactual", self.counterfactual, FILLS)
+        _choice("data.positives", self.positives, POSITIVES)
         _least("data.shrink", self.shrink, 1)
         _least("data.limit", self.limit, 0)
 

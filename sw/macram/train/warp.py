@@ -15,7 +15,7 @@ from macram.front.image import IMAGENET_MEAN, IMAGENET_STD
 from macram.model import Levels
 from macram.model.anchors import cell_centres, map_sizes
 from macram.pose.warp import BORDER
-from macram.train.pack import PackedFrames
+from macram.train.pack import PART, PackedFrames
 from macram.train.views import Views
 
 NOISE_BANK = 1 << 22
@@ -57,7 +57,7 @@ class Batch(NamedTuple):
     Attributes:
         image: ``[B, 3, H, W]`` normalised.
         erased: the same without the target; None where no path needs it.
-        inside: bool ``[B, cells]``, cells on the target.
+        inside: bool ``[B, cells]``, cells that may be positive.
         keys: float32 ``[B, cells]``.
         quota: int64 ``[B, levels]``.
         camera: float32 ``[B, 3, 3]``.
@@ -160,7 +160,7 @@ class Warper:
         places = cells.sampled @ back[:, :2, :2].mT + back[:, None, :2, 2]
         scale = torch.tensor([2 / width, 2 / height], device=self.device)
         grid = (places * scale - 1)[:, None]
-        return functional.grid_sample(mask, grid, "nearest", align_corners=False)[:, 0, 0] > 127
+        return functional.grid_sample(mask, grid, "nearest", align_corners=False)[:, 0, 0] > PART
 
     def _toned(self, image: Tensor, views: Views) -> Tensor:
         """Brightness and noise; rounded and clipped to what 8 bits hold."""
