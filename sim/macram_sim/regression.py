@@ -40,7 +40,7 @@ ARRAYS = (
         _SMALL, name="signed", weight=IntFormat(4, signed=True), input=IntFormat(3, signed=True),
         output=IntFormat(4, signed=True), rows=4, drain=1, ingest=1,
     ),
-    replace(_SMALL, name="triples", rows=1, max_c_in=20, row_words=80, weight_depth=120),
+    replace(_SMALL, name="triples", rows=1, max_c_in=32, row_words=128, weight_depth=120),
 )  # fmt: skip
 """Small arrays that differ in what has its own logic: engines, requantisers, signs, banks, drain, tiles in threes."""
 
