@@ -81,19 +81,23 @@ class Verdict:
 class MutationRun:
     """One seeded run; `verdicts` grows by one a step, and a run that was stopped goes on where it was.
 
-    Its survivors of the stopped run are judged again first: the checks may have grown.
+    Its survivors of the stopped run are judged again first: the checks may have grown. A quick run leaves them to
+    a later one that is not.
 
     Args:
         out: folder for the frozen copy and its builds.
         seed: of the choice of mutants, 0 or more.
         count: mutants to judge.
         earlier: `to_dict` of a run that was stopped; used if seed and sources are the same.
+        quick: the unit tests are the only check.
 
     Raises:
         ValueError: not a checkout, or an argument out of range.
     """
 
-    def __init__(self, out: Path, *, seed: int, count: int, earlier: dict[str, Any] | None = None) -> None:
+    def __init__(
+        self, out: Path, *, seed: int, count: int, earlier: dict[str, Any] | None = None, quick: bool = False
+    ) -> None:
         if seed < 0:
             raise ValueError(f"the seed must be 0 or more, not {seed}")
         if count < 1:
@@ -103,7 +107,7 @@ class MutationRun:
             raise ValueError(
                 "the mutation run needs the tests; start it from a checkout, installed with pip -e"
             )
-        self.out, self.seed, self.count = Path(out).resolve(), seed, count
+        self.out, self.seed, self.count, self.quick = Path(out).resolve(), seed, count, quick
         self.verdicts: list[Verdict] = []
         self.no_mutants = 0
         self._tree = self.out / "tree"
@@ -155,7 +159,7 @@ class MutationRun:
         if sound is None:
             raise RuntimeError("the frozen copy does not elaborate; see `macram rtl`")
         for index, verdict in enumerate(self.verdicts):
-            if verdict.killed_by == "survived":
+            if verdict.killed_by == "survived" and not self.quick:
                 again = self._judge(self._mutation_of(verdict), sound)
                 assert again is not None
                 self.verdicts[index] = again
@@ -235,6 +239,8 @@ class MutationRun:
         ]
         pytest = [sys.executable, "-m", "pytest", "-xq", "-p", "no:cacheprovider"]
         yield "unit tests", [*pytest, *tests, *([] if WHOLE_ARRAY in tests else [WHOLE_ARRAY])]
+        if self.quick:
+            return
         macram = [sys.executable, "-m", "macram.cli", "verify"]
         out = str(self.out / "checks")
         yield "simulation", [*macram, "regression", "--array", array, "--seed", str(self.seed), "-o", out]
@@ -279,6 +285,7 @@ class MutationRun:
             "seed": self.seed,
             "sources": self.digest,
             "arrays": [array.to_dict() for array in ARRAYS],
+            "quick": self.quick,
             "wanted": self.count,
             "tried": self._tried,
             "no_mutants": self.no_mutants,
@@ -307,10 +314,11 @@ def run_mutants(
     seed: int,
     count: int,
     earlier: dict[str, Any] | None = None,
+    quick: bool = False,
     keep: Callable[[dict[str, Any], Verdict | None], None],
 ) -> dict[str, Any]:
     """Judge ``count`` mutants and call ``keep`` with the table so far after each; returns the final table."""
-    work = MutationRun(out, seed=seed, count=count, earlier=earlier)
+    work = MutationRun(out, seed=seed, count=count, earlier=earlier, quick=quick)
     keep(work.to_dict(), None)
     for verdict in work.steps():
         keep(work.to_dict(), verdict)

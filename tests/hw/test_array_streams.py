@@ -140,11 +140,13 @@ def _two_images(array, shape, gap, stall):
 def run_images(bench, images=2):
     async def source(ctx):
         await bench.load(ctx)
-        for _ in range(images):
+        for image in range(images):
             while ctx.get(bench.core.busy):
                 await ctx.tick()
             await ctx.tick().repeat(3)
             await bench.command(ctx, Control.START)
+            # Cycles count from the first beat, whenever it comes.
+            await ctx.tick().repeat(1 + 7 * image)
             await put(ctx, bench.core.i, with_last(bench.beats_in), gap=bench.gap, rng=bench.rng)
 
     async def sink(ctx):

@@ -112,6 +112,18 @@ def test_killed_survived_and_resumed(faked, tmp_path):
     assert run_mutants(tmp_path, seed=5, count=2, earlier=first, keep=lambda *_: None)["mutants"] != drop[:2]
 
 
+def test_a_quick_run_leaves_its_survivors_to_a_later_one(faked, tmp_path):
+    quick = run_mutants(tmp_path, seed=7, count=12, quick=True, keep=lambda *_: None)
+    assert set(faked) == {"elaborate", "unit tests"}
+    assert quick["quick"]
+    faked.clear()
+    more = run_mutants(tmp_path, seed=7, count=13, earlier=quick, quick=True, keep=lambda *_: None)
+    assert faked.count("elaborate") == 2, "the sound gateware and one mutant more"
+    full = run_mutants(tmp_path, seed=7, count=13, earlier=more, keep=lambda *_: None)
+    assert full["killed_by"]["simulation"] > quick["killed_by"]["simulation"] == 0
+    assert not full["quick"]
+
+
 def test_a_mutant_that_changes_no_array_does_not_count(faked, tmp_path, monkeypatch):
     monkeypatch.setattr(MutationRun, "_fingerprints", lambda self, known: {"portable": "same"})
     table = run_mutants(tmp_path, seed=1, count=3, keep=lambda *_: None)

@@ -29,9 +29,9 @@ WATCHED = UNIT.accumulator.bits + 4
 CARRIES = range(LANES - GROUP)
 """Lanes that start from what the group before left."""
 LOADS = replace(
-    SMALL, name="loads", rows=4, weight=IntFormat(3, signed=True), input=IntFormat(3), output=IntFormat(2)
+    SMALL, name="loads", rows=4, weight=IntFormat(3, signed=True), input=IntFormat(3), output=IntFormat(3)
 )
-"""Loads of words that take several beats, and whose last beat is not full."""
+"""Loads of words of two and of three beats, the last of which is not full."""
 ABSTRACT = """
 // Memories and units with any contents: what holds with them holds whatever is stored and computed.
 module macram_ram #(parameter WIDTH = 1, DEPTH = 1, ADDR_BITS = 1, LANES = 1, INIT_FILE = "") (

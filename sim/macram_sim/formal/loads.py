@@ -137,8 +137,8 @@ LOADING: tuple[Proof, ...] = (
             Break(_LOADER, "self.weight.addr.eq(self.base + word_index)", "self.weight.addr.eq(word_index)"),
             Break(
                 _LOADER,
-                "shifter[-beat * requant_beats :][: config.requant_word_bits]",
-                "shifter[: config.requant_word_bits]",
+                "shifter[-beat * weight_beats :][: config.weight_word_bits]",
+                "shifter[: config.weight_word_bits]",
             ),
             Break(_LOADER, "Mux(self.i.payload.last, Error.TLAST_EARLY", "Mux(all_done, Error.TLAST_EARLY"),
         ),

@@ -72,6 +72,11 @@ def add_verify(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) ->
     mutate.add_argument(
         "--fresh", action="store_true", help="begin again instead of going on with DIR/mutate.json"
     )
+    mutate.add_argument(
+        "--quick",
+        action="store_true",
+        help="unit tests only; a later run without it judges the survivors further",
+    )
     _common(mutate, "build/mutate")
 
 
@@ -216,7 +221,12 @@ def _mutate(arguments: argparse.Namespace) -> int:
                 )  # fmt: skip
 
         table = run_mutants(
-            arguments.out, seed=arguments.seed, count=arguments.count, earlier=earlier, keep=keep
+            arguments.out,
+            seed=arguments.seed,
+            count=arguments.count,
+            earlier=earlier,
+            quick=arguments.quick,
+            keep=keep,
         )
     for row in table["mutants"]:
         if row["killed_by"] == "survived":
