@@ -142,8 +142,8 @@ _INGEST_BREAKS = (
     ),
     Break(
         _GEARBOX,
-        "pixel_done.eq(taken & (words_out + 1 == self.words_per_pixel))",
-        "pixel_done.eq(taken & (words_out == self.words_per_pixel))",
+        "pixel_done.eq(taken & (words_out == final_word))",
+        "pixel_done.eq(taken & (words_out + 1 == final_word))",
     ),
 )
 _EMIT_BREAKS = (

@@ -142,6 +142,7 @@ LOADING: tuple[Proof, ...] = (
             ),
             Break(_LOADER, "Mux(self.i.payload.last, Error.TLAST_EARLY", "Mux(all_done, Error.TLAST_EARLY"),
         ),
+        fast=False,
     ),
     Proof(
         "load-commands",
