@@ -7,7 +7,7 @@ import os
 
 MMAP_THRESHOLD, TRIM_THRESHOLD = -3, -1
 """Parameters of glibc's mallopt(3)."""
-LARGEST = 2**31 - 1
+LARGEST, NEVER = 2**31 - 1, -1
 
 
 def keep_memory() -> None:
@@ -20,4 +20,4 @@ def keep_memory() -> None:
     mallopt = getattr(ctypes.CDLL(None), "mallopt", None) if os.name == "posix" else None
     if mallopt is not None:
         mallopt(MMAP_THRESHOLD, LARGEST)
-        mallopt(TRIM_THRESHOLD, LARGEST)
+        mallopt(TRIM_THRESHOLD, NEVER)

@@ -19,8 +19,8 @@ from macram.train.loop import Run
 from macram.train.mixed import exact_layers
 from macram.train.warp import Batch, Cells
 
-WARM_STEPS = 3
-"""Steps that fill caches and do not count."""
+WARM_STEPS = 8
+"""Steps that fill caches, take memory from the system, and do not count."""
 LOADING, GRADIENTS, UPDATE = "views", "forward and backward", "optimiser"
 
 
@@ -73,7 +73,7 @@ def measure_rate(config: TrainConfig, processes: Processes, steps: int) -> dict[
     Args:
         config: of the run; its ``run.out`` is not touched.
         processes: this one.
-        steps: to time, after three that fill caches.
+        steps: to time, after `WARM_STEPS`.
 
     Returns:
         ``images_per_second`` (median over steps) and of every step ``rates``; ``parts_ms``, medians of

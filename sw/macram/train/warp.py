@@ -142,7 +142,7 @@ class Warper:
             rows = resident[torch.from_numpy(views.frame).to(self.device)]
         else:
             rows = torch.from_numpy(packed[views.frame]).to(self.device, non_blocking=True)
-        return rows.permute(0, 3, 1, 2).float().contiguous()
+        return rows.permute(0, 3, 1, 2).contiguous().float()  # bytes are moved faster than floats
 
     def _grid(self, matrix: NDArray[np.float64], size: tuple[int, int]) -> Tensor:
         """Sampling grid ``[B, H, W, 2]``: pixel centres of the view, in the frame, -1..1 from edge to edge."""
@@ -197,4 +197,4 @@ def _normalised(image: Tensor) -> Tensor:
     """0..255 -> ImageNet's mean 0 and deviation 1, channels last."""
     mean = torch.tensor(IMAGENET_MEAN, device=image.device).mul(255).reshape(3, 1, 1)
     std = torch.tensor(IMAGENET_STD, device=image.device).mul(255).reshape(3, 1, 1)
-    return ((image - mean) / std).contiguous(memory_format=torch.channels_last)
+    return (image - mean).div_(std).contiguous(memory_format=torch.channels_last)
