@@ -187,7 +187,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .\o__valid$16 (m_axis_tvalid),
     .output_stalls(output_stalls),
     .params__ready(s_axis_param_tready),
-    .\port$1313$0 (command),
+    .\port$1314$0 (command),
     .requant_base(requant_base),
     .rst(rst),
     .weight_base(weight_base),
@@ -228,8 +228,8 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
     .output_stalls(output_stalls),
     .param_base(param_base),
     .param_words(words),
-    .\port$1367$0 (done),
-    .\port$1373$0 (error),
+    .\port$1368$0 (done),
+    .\port$1374$0 (error),
     .\port$2$0 (\$1 ),
     .requant_base(requant_base),
     .rst(rst),
@@ -305,7 +305,7 @@ module macram_top(aresetn, s_axi_awaddr, s_axi_awprot, s_axi_awvalid, s_axi_wdat
   assign i__payload[63:0] = s_axis_tdata;
 endmodule
 
-module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy, \i__ready$64 , \o__valid$16 , \i__payload$62 , \i__payload$6 , \port$1313$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$642 
+module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy, \i__ready$64 , \o__valid$16 , \i__payload$62 , \i__payload$6 , \port$1314$0 , height, width, c_in, c_out, mode, words, base, weight_base, requant_base, done, \error$642 
 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, \o__payload$12 , params__ready, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$1  = 0;
   wire \$1 ;
@@ -2002,8 +2002,8 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   output params__ready;
   wire params__ready;
   wire params__valid;
-  input [3:0] \port$1313$0 ;
-  wire [3:0] \port$1313$0 ;
+  input [3:0] \port$1314$0 ;
+  wire [3:0] \port$1314$0 ;
   wire [16:0] read;
   wire [7:0] \read.address ;
   wire \read.apart ;
@@ -2531,8 +2531,8 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \$29  = first_beat | \$signal$635 ;
   assign \$30  = ~ ended;
   assign \$signal$634  = \$29  & \$30 ;
-  assign \$31  = \port$1313$0 [2:0] - 1'h1;
-  assign \$32  = { 1'h0, \port$1313$0 [2:0] } & \$31 ;
+  assign \$31  = \port$1314$0 [2:0] - 1'h1;
+  assign \$32  = { 1'h0, \port$1314$0 [2:0] } & \$31 ;
   assign \$33  = | \$32 ;
   assign \$34  = | \wait ;
   assign \$35  = \wait  - 1'h1;
@@ -2605,7 +2605,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign last_beat = \$2  & \$4 ;
   assign \$5  = | \wait ;
   assign busy = running | \$5 ;
-  assign \$signal  = params__ready ? to_requant : \port$1313$0 [2];
+  assign \$signal  = params__ready ? to_requant : \port$1314$0 [2];
   assign load_end = base + words;
   assign \$6  = \$signal  ? 11'h100 : 11'h400;
   assign \$signal$48  = load_end > \$6 ;
@@ -2614,12 +2614,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \$9  = \$signal  ? requant_base : weight_base;
   assign \$10  = load_end > \$9 ;
   assign overlaps = \$8  & \$10 ;
-  assign \$signal$52  = | \port$1313$0 [2:0];
+  assign \$signal$52  = | \port$1314$0 [2:0];
   assign \$11  = ~ busy;
   assign \$12  = ~ params__ready;
   assign idle = \$11  & \$12 ;
-  assign \$13  = \port$1313$0 [2:0] - 1'h1;
-  assign \$14  = { 1'h0, \port$1313$0 [2:0] } & \$13 ;
+  assign \$13  = \port$1314$0 [2:0] - 1'h1;
+  assign \$14  = { 1'h0, \port$1314$0 [2:0] } & \$13 ;
   assign \$15  = | \$14 ;
   \macram_top.array.decoder  decoder (
     .c_in(c_in),
@@ -2632,7 +2632,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .requant_end(requant_end),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1313$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .weight_base(weight_base),
     .weight_end(weight_end),
     .width(width)
@@ -2652,7 +2652,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .rst(rst),
     .shape(shape),
     .shift(shift),
-    .soft_reset(\port$1313$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .start(start),
     .valid(i__valid)
   );
@@ -2666,7 +2666,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .o__ready(\o__ready$14 ),
     .o__valid(\o__valid$16 ),
     .rst(rst),
-    .soft_reset(\port$1313$0 [3])
+    .soft_reset(\port$1314$0 [3])
   );
   \macram_top.array.frame  frame (
     .beats(shape[147:132]),
@@ -2679,9 +2679,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .o__ready(\o__ready$70 ),
     .o__valid(\i__valid$72 ),
     .open(open),
-    .\port$1408$0 (shape[31:0]),
+    .\port$1409$0 (shape[31:0]),
     .rst(rst),
-    .soft_reset(\port$1313$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .start(start)
   );
   \macram_top.array.ingest  ingest (
@@ -2693,9 +2693,9 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .o__payload(\i__payload$74 ),
     .o__ready(\o__ready$76 ),
     .o__valid(\i__valid$78 ),
-    .\port$1408$79 (shape[92:79]),
+    .\port$1409$79 (shape[92:79]),
     .rst(rst),
-    .soft_reset(\port$1313$0 [3])
+    .soft_reset(\port$1314$0 [3])
   );
   \macram_top.array.lines  lines (
     .clk(clk),
@@ -2709,7 +2709,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1313$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .start(start),
     .word(activations)
   );
@@ -2721,12 +2721,12 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .i__payload(\i__payload$6 ),
     .i__ready(params__ready),
     .i__valid(\i__valid$10 ),
-    .\port$1690$0 (\$72 ),
-    .\port$1692$0 (\$73 ),
-    .\port$1694$0 (\$74 ),
+    .\port$1691$0 (\$72 ),
+    .\port$1693$0 (\$73 ),
+    .\port$1695$0 (\$74 ),
     .requant_en(write_en),
     .rst(rst),
-    .soft_reset(\port$1313$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .start_requant(start_requant),
     .start_weights(start_weights),
     .to_requant(to_requant),
@@ -2745,7 +2745,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     .retire_row(retire_row),
     .rst(rst),
     .shape(shape),
-    .soft_reset(\port$1313$0 [3]),
+    .soft_reset(\port$1314$0 [3]),
     .start(start),
     .starved(starved),
     .\step$51 (step),
@@ -3588,7 +3588,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     \$signal$54  = 3'h0;
     if (\$15 ) begin
       \$signal$54  = 3'h5;
-    end else if (\port$1313$0 [0]) begin
+    end else if (\port$1314$0 [0]) begin
       if (busy) begin
         \$signal$54  = 3'h5;
       end
@@ -3604,13 +3604,13 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_weights = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1313$0 [0]) begin
+    end else if (\port$1314$0 [0]) begin
     end else if (\$signal$52 ) begin
       (* full_case = 32'd1 *)
       if (\$17 ) begin
       end else if (\$21 ) begin
       end else begin
-        start_weights = \port$1313$0 [1];
+        start_weights = \port$1314$0 [1];
       end
     end
   end
@@ -3618,13 +3618,13 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     start_requant = 1'h0;
     if (\$15 ) begin
-    end else if (\port$1313$0 [0]) begin
+    end else if (\port$1314$0 [0]) begin
     end else if (\$signal$52 ) begin
       (* full_case = 32'd1 *)
       if (\$17 ) begin
       end else if (\$21 ) begin
       end else begin
-        start_requant = \port$1313$0 [2];
+        start_requant = \port$1314$0 [2];
       end
     end
   end
@@ -3655,7 +3655,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     end else if (last_beat0) begin
       \$53  = 1'h1;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$53  = 1'h0;
     end
     if (rst) begin
@@ -3666,7 +3666,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$54  = \wait ;
     if (\$33 ) begin
-    end else if (\port$1313$0 [0]) begin
+    end else if (\port$1314$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
@@ -3676,7 +3676,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$34 ) begin
       \$54  = \$35 [1:0];
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$54  = 2'h0;
     end
     if (rst) begin
@@ -3687,7 +3687,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$55  = done;
     if (\$33 ) begin
-    end else if (\port$1313$0 [0]) begin
+    end else if (\port$1314$0 [0]) begin
       (* full_case = 32'd1 *)
       if (busy) begin
       end else begin
@@ -3700,7 +3700,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$40 ) begin
       \$55  = 1'h0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$55  = 1'h0;
     end
     if (rst) begin
@@ -3716,7 +3716,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$39 ) begin
       \$56  = 1'h0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$56  = 1'h0;
     end
     if (rst) begin
@@ -3732,7 +3732,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (\$39 ) begin
       \$57  = 1'h0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$57  = 1'h0;
     end
     if (rst) begin
@@ -3755,7 +3755,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
         \$58  = \error$646 ;
       end
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$58  = 3'h0;
     end
     if (rst) begin
@@ -3765,7 +3765,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$59  = step[36:27];
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$59  = 10'h000;
     end
     if (rst) begin
@@ -3775,7 +3775,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$60  = control0;
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$60  = 10'h000;
     end
     if (rst) begin
@@ -3785,7 +3785,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$61  = control1;
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$61  = 10'h000;
     end
     if (rst) begin
@@ -3795,7 +3795,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$1 ) begin end
     \$62  = control;
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$62  = 10'h000;
     end
     if (rst) begin
@@ -3811,7 +3811,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$63  = 1'h0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$63  = 1'h0;
     end
     if (rst) begin
@@ -3827,7 +3827,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$64  = 1'h0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$64  = 1'h0;
     end
     if (rst) begin
@@ -3843,7 +3843,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$65  = 1'h0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$65  = 1'h0;
     end
     if (rst) begin
@@ -3859,7 +3859,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$66  = 32'd0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$66  = 32'd0;
     end
     if (rst) begin
@@ -3877,7 +3877,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$67  = 32'd0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$67  = 32'd0;
     end
     if (rst) begin
@@ -3896,7 +3896,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$68  = 32'd0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$68  = 32'd0;
     end
     if (rst) begin
@@ -3916,7 +3916,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$69  = 32'd0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$69  = 32'd0;
     end
     if (rst) begin
@@ -3937,7 +3937,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$70  = 32'd0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$70  = 32'd0;
     end
     if (rst) begin
@@ -3960,7 +3960,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
     if (start) begin
       \$71  = 32'd0;
     end
-    if (\port$1313$0 [3]) begin
+    if (\port$1314$0 [3]) begin
       \$71  = 32'd0;
     end
     if (rst) begin
@@ -3987,7 +3987,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign param_base = base;
   assign loading = params__ready;
   assign \busy$43  = params__ready;
-  assign command = \port$1313$0 [2:0];
+  assign command = \port$1314$0 [2:0];
   assign \shape$61  = shape;
   assign \i__payload$63  = \i__payload$62 ;
   assign \i__ready$65  = \i__ready$64 ;
@@ -4473,7 +4473,7 @@ module \macram_top.array (\i__valid$66 , \i__valid$10 , \o__ready$14 , rst, busy
   assign \control$630  = control;
   assign \shift$631  = shift;
   assign \chain_i$632  = \chain_o$154 ;
-  assign soft_reset = \port$1313$0 [3];
+  assign soft_reset = \port$1314$0 [3];
   assign \i__payload.data  = i__payload[47:0];
   assign \i__payload.pixel_last  = i__payload[48];
   assign \i__payload.last  = i__payload[49];
@@ -5840,9 +5840,9 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   wire [10:0] \$31 ;
   wire [10:0] \$32 ;
   wire [12:0] \$33 ;
-  wire [27:0] \$34 ;
-  wire [28:0] \$35 ;
-  wire \$36 ;
+  wire [26:0] \$34 ;
+  wire [27:0] \$35 ;
+  wire [28:0] \$36 ;
   wire \$37 ;
   wire \$38 ;
   wire \$39 ;
@@ -5852,30 +5852,31 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   wire \$42 ;
   wire \$43 ;
   wire \$44 ;
-  wire [29:0] \$45 ;
-  wire \$46 ;
+  wire \$45 ;
+  wire [29:0] \$46 ;
   wire \$47 ;
   wire \$48 ;
   wire \$49 ;
   wire [32:0] \$5 ;
-  wire [32:0] \$50 ;
-  wire \$51 ;
-  wire [16:0] \$52 ;
-  wire [32:0] \$53 ;
-  wire \$54 ;
+  wire \$50 ;
+  wire [32:0] \$51 ;
+  wire \$52 ;
+  wire [16:0] \$53 ;
+  wire [32:0] \$54 ;
   wire \$55 ;
-  wire [32:0] \$56 ;
-  wire [16:0] \$57 ;
-  wire [32:0] \$58 ;
-  reg [200:0] \$59 ;
+  wire \$56 ;
+  wire [32:0] \$57 ;
+  wire [16:0] \$58 ;
+  wire [32:0] \$59 ;
   wire [32:0] \$6 ;
-  reg [11:0] \$60 ;
-  reg [28:0] \$61 ;
-  reg \$62 ;
+  reg [200:0] \$60 ;
+  reg [11:0] \$61 ;
+  reg [28:0] \$62 ;
   reg \$63 ;
-  reg [2:0] \$64 ;
-  reg [10:0] \$65 ;
-  reg [8:0] \$66 ;
+  reg \$64 ;
+  reg [2:0] \$65 ;
+  reg [10:0] \$66 ;
+  reg [8:0] \$67 ;
   wire \$7 ;
   wire \$8 ;
   wire \$9 ;
@@ -5949,47 +5950,47 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   assign \$31  = 2'h2 * \$30 ;
   assign \$32  = \packed  ? \$31  : 11'h000;
   assign \$33  = \$6 [11:0] - \$32 ;
-  assign \$34  = 2'h3 * \$signal$10 ;
-  assign \$35  = \$34  << shape[165];
-  assign \$36  = ~ known_mode;
-  assign \$37  = ! height;
-  assign \$38  = ! width;
-  assign \$39  = ! c_in;
-  assign \$40  = ! c_out;
-  assign \$41  = height > 16'hffff;
-  assign \$42  = width > 16'hffff;
-  assign \$43  = c_in > 11'h400;
-  assign \$44  = c_out > 11'h400;
-  assign \$45  = shape[62:48] * shape[107:93];
-  assign \$46  = \$45  > 9'h100;
-  assign \$47  = | { \$46 , \$44 , \$43 , \$42 , \$41 , \$40 , \$39 , \$38 , \$37  };
-  assign \$48  = weight_words > 11'h400;
-  assign \$49  = bad_shape | \$48 ;
-  assign \$50  = weight_base + weight_words;
-  assign \$51  = \$50  > 11'h400;
-  assign \$52  = shape[119:108] * 5'h10;
-  assign \$53  = requant_base + \$52 ;
-  assign \$54  = \$53  > 9'h100;
-  assign \$55  = \$51  | \$54 ;
-  assign \$56  = weight_base + weight_words;
-  assign \$57  = shape[119:108] * 5'h10;
-  assign \$58  = requant_base + \$57 ;
+  assign \$35  = \$34  + \$signal$10 ;
+  assign \$36  = \$35  << shape[165];
+  assign \$37  = ~ known_mode;
+  assign \$38  = ! height;
+  assign \$39  = ! width;
+  assign \$40  = ! c_in;
+  assign \$41  = ! c_out;
+  assign \$42  = height > 16'hffff;
+  assign \$43  = width > 16'hffff;
+  assign \$44  = c_in > 11'h400;
+  assign \$45  = c_out > 11'h400;
+  assign \$46  = shape[62:48] * shape[107:93];
+  assign \$47  = \$46  > 9'h100;
+  assign \$48  = | { \$47 , \$45 , \$44 , \$43 , \$42 , \$41 , \$40 , \$39 , \$38  };
+  assign \$49  = weight_words > 11'h400;
+  assign \$50  = bad_shape | \$49 ;
+  assign \$51  = weight_base + weight_words;
+  assign \$52  = \$51  > 11'h400;
+  assign \$53  = shape[119:108] * 5'h10;
+  assign \$54  = requant_base + \$53 ;
+  assign \$55  = \$54  > 9'h100;
+  assign \$56  = \$52  | \$55 ;
+  assign \$57  = weight_base + weight_words;
+  assign \$58  = shape[119:108] * 5'h10;
+  assign \$59  = requant_base + \$58 ;
   always @(posedge clk)
-    shape <= \$59 ;
+    shape <= \$60 ;
   always @(posedge clk)
-    places <= \$60 ;
+    places <= \$61 ;
   always @(posedge clk)
-    weight_words <= \$61 ;
+    weight_words <= \$62 ;
   always @(posedge clk)
-    \$signal$18  <= \$62 ;
+    \$signal$18  <= \$63 ;
   always @(posedge clk)
-    bad_shape <= \$63 ;
+    bad_shape <= \$64 ;
   always @(posedge clk)
-    error <= \$64 ;
+    error <= \$65 ;
   always @(posedge clk)
-    weight_end <= \$65 ;
+    weight_end <= \$66 ;
   always @(posedge clk)
-    requant_end <= \$66 ;
+    requant_end <= \$67 ;
   assign \$1  = c_in + 3'h7;
   assign \$3  = \$2 [13:0] + 1'h1;
   assign \$5  = c_out + 6'h3f;
@@ -6024,112 +6025,112 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$59 [200:168] = shape[200:168];
-    \$59 [15:0] = height[15:0];
-    \$59 [31:16] = width[15:0];
-    \$59 [47:32] = \$13 [15:0];
-    \$59 [62:48] = \$15 [14:0];
-    \$59 [64:63] = \$signal$8 [1:0];
-    \$59 [78:65] = \$2 [13:0];
-    \$59 [92:79] = \$4 [13:0];
-    \$59 [107:93] = \$17 ;
-    \$59 [119:108] = \$6 [11:0];
-    \$59 [131:120] = \$19 [11:0];
-    \$59 [147:132] = \$22 [15:0];
-    \$59 [163:148] = \$25 [15:0];
-    \$59 [164] = \$26 ;
-    \$59 [165] = mode[9];
-    \$59 [166] = \packed ;
-    \$59 [167] = mode[24];
+    \$60 [200:168] = shape[200:168];
+    \$60 [15:0] = height[15:0];
+    \$60 [31:16] = width[15:0];
+    \$60 [47:32] = \$13 [15:0];
+    \$60 [62:48] = \$15 [14:0];
+    \$60 [64:63] = \$signal$8 [1:0];
+    \$60 [78:65] = \$2 [13:0];
+    \$60 [92:79] = \$4 [13:0];
+    \$60 [107:93] = \$17 ;
+    \$60 [119:108] = \$6 [11:0];
+    \$60 [131:120] = \$19 [11:0];
+    \$60 [147:132] = \$22 [15:0];
+    \$60 [163:148] = \$25 [15:0];
+    \$60 [164] = \$26 ;
+    \$60 [165] = mode[9];
+    \$60 [166] = \packed ;
+    \$60 [167] = mode[24];
     if (soft_reset) begin
-      \$59 [167:0] = 168'h000000000000000000000000000000000000000000;
+      \$60 [167:0] = 168'h000000000000000000000000000000000000000000;
     end
     if (rst) begin
-      \$59  = 201'h000000000000000000000000000000000000000000000000000;
+      \$60  = 201'h000000000000000000000000000000000000000000000000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$60  = \$33 [11:0];
+    \$61  = \$33 [11:0];
     if (soft_reset) begin
-      \$60  = 12'h000;
+      \$61  = 12'h000;
     end
     if (rst) begin
-      \$60  = 12'h000;
+      \$61  = 12'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
     (* full_case = 32'd1 *)
     if (shape[164]) begin
-      \$61  = { 3'h0, \$signal$10  };
+      \$62  = { 3'h0, \$signal$10  };
     end else begin
-      \$61  = \$35 ;
+      \$62  = \$36 ;
     end
     if (soft_reset) begin
-      \$61  = 29'h00000000;
+      \$62  = 29'h00000000;
     end
     if (rst) begin
-      \$61  = 29'h00000000;
+      \$62  = 29'h00000000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$62  = \$36 ;
-    if (soft_reset) begin
-      \$62  = 1'h0;
-    end
-    if (rst) begin
-      \$62  = 1'h0;
-    end
-  end
-  always @* begin
-    if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$63  = \$47 ;
+    \$63  = \$37 ;
     if (soft_reset) begin
       \$63  = 1'h0;
     end
     if (rst) begin
       \$63  = 1'h0;
+    end
+  end
+  always @* begin
+    if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
+    \$64  = \$48 ;
+    if (soft_reset) begin
+      \$64  = 1'h0;
+    end
+    if (rst) begin
+      \$64  = 1'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
     (* full_case = 32'd1 *)
     if (\$signal$18 ) begin
-      \$64  = 3'h2;
-    end else if (\$49 ) begin
-      \$64  = 3'h1;
-    end else if (\$55 ) begin
-      \$64  = 3'h6;
+      \$65  = 3'h2;
+    end else if (\$50 ) begin
+      \$65  = 3'h1;
+    end else if (\$56 ) begin
+      \$65  = 3'h6;
     end else begin
-      \$64  = 3'h0;
+      \$65  = 3'h0;
     end
     if (soft_reset) begin
-      \$64  = 3'h0;
+      \$65  = 3'h0;
     end
     if (rst) begin
-      \$64  = 3'h0;
+      \$65  = 3'h0;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$65  = \$56 [10:0];
+    \$66  = \$57 [10:0];
     if (soft_reset) begin
-      \$65  = 11'h000;
+      \$66  = 11'h000;
     end
     if (rst) begin
-      \$65  = 11'h000;
+      \$66  = 11'h000;
     end
   end
   always @* begin
     if (\$auto$verilog_backend.cc:2355:dump_module$2 ) begin end
-    \$66  = \$58 [8:0];
+    \$67  = \$59 [8:0];
     if (soft_reset) begin
-      \$66  = 9'h000;
+      \$67  = 9'h000;
     end
     if (rst) begin
-      \$66  = 9'h000;
+      \$67  = 9'h000;
     end
   end
   assign \$signal  = \$2 [13:0];
@@ -6164,6 +6165,7 @@ module \macram_top.array.decoder (rst, soft_reset, height, width, c_in, c_out, m
   assign \$22  = { 6'h00, \$21 [34:6] };
   assign \$25  = { 6'h00, \$24 [34:6] };
   assign \$30  = { 5'h00, \$29 [8:5] };
+  assign \$34  = { \$signal$10 , 1'h0 };
 endmodule
 
 module \macram_top.array.drain (rst, finished, credit, shift, o__ready, soft_reset, requant_base, start, \heads$75 , info, shape, o__payload, valid, reload__addr, reload__data, reload__en, clk);
@@ -8508,7 +8510,7 @@ module \macram_top.array.emit (o__ready, rst, o__valid, i__ready, soft_reset, be
   assign \$2  = { 64'h0000000000000000, buffer[111:64] };
 endmodule
 
-module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1408$0 , beats, open, clk);
+module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error, o__ready, i__payload, soft_reset, start, \port$1409$0 , beats, open, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$6  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -8563,8 +8565,8 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   wire o__valid;
   output open;
   reg open = 1'h0;
-  input [31:0] \port$1408$0 ;
-  wire [31:0] \port$1408$0 ;
+  input [31:0] \port$1409$0 ;
+  wire [31:0] \port$1409$0 ;
   reg [15:0] row = 16'h0000;
   input rst;
   wire rst;
@@ -8579,10 +8581,10 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
   assign \$1  = \$signal$9  + 1'h1;
   assign \$signal$8  = \$1  == beats;
   assign \$2  = \$signal$12  + 1'h1;
-  assign \$3  = \$2  == \port$1408$0 [31:16];
+  assign \$3  = \$2  == \port$1409$0 [31:16];
   assign \$signal$11  = \$signal$8  & \$3 ;
   assign \$4  = row + 1'h1;
-  assign \$5  = \$4  == \port$1408$0 [15:0];
+  assign \$5  = \$4  == \port$1409$0 [15:0];
   assign \$signal$14  = \$signal$11  & \$5 ;
   assign \$6  = i__payload[64] != \$signal$14 ;
   assign fault = \$signal  & \$6 ;
@@ -8671,13 +8673,13 @@ module \macram_top.array.frame (i__valid, rst, o__valid, i__ready, fault, error,
     end
   end
   assign o__payload = i__payload[63:0];
-  assign width = \port$1408$0 [31:16];
-  assign height = \port$1408$0 [15:0];
+  assign width = \port$1409$0 [31:16];
+  assign height = \port$1409$0 [15:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
 endmodule
 
-module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1408$79 , beats_per_pixel, o__payload, clk);
+module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i__payload, soft_reset, \port$1409$79 , beats_per_pixel, o__payload, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$7  = 0;
   wire [16:0] \$1 ;
   wire [16:0] \$10 ;
@@ -8730,8 +8732,8 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire o__ready;
   output o__valid;
   wire o__valid;
-  input [13:0] \port$1408$79 ;
-  wire [13:0] \port$1408$79 ;
+  input [13:0] \port$1409$79 ;
+  wire [13:0] \port$1409$79 ;
   wire put;
   input rst;
   wire rst;
@@ -8739,7 +8741,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
   wire soft_reset;
   reg [15:0] words_out = 16'h0000;
   wire [15:0] words_per_pixel;
-  assign \$1  = \port$1408$79  - 1'h1;
+  assign \$1  = \port$1409$79  - 1'h1;
   assign \$3  = \$signal$6  ? \$2  : buffer;
   assign \$4  = \$signal  ? 112'h0000000000000000000000000000 : \$3 ;
   assign \$5  = put ? i__payload : 64'h0000000000000000;
@@ -8829,7 +8831,7 @@ module \macram_top.array.ingest (rst, i__valid, o__valid, i__ready, o__ready, i_
       \$27  = 16'h0000;
     end
   end
-  assign words_per_pixel = { 2'h0, \port$1408$79  };
+  assign words_per_pixel = { 2'h0, \port$1409$79  };
   assign \$like  = \$20 [6:0];
   assign o__payload = buffer[47:0];
   assign \$2  = { 48'h000000000000, buffer[111:48] };
@@ -9297,7 +9299,7 @@ module \macram_top.array.lines (rst, i__valid, i__ready, soft_reset, start, shap
   assign \read.inner  = read[16];
 endmodule
 
-module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1690$0 , \port$1692$0 , \port$1694$0 , i__ready, to_requant, unit_en, requant_en, clk);
+module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_reset, words, base, start_weights, start_requant, \port$1691$0 , \port$1693$0 , \port$1695$0 , i__ready, to_requant, unit_en, requant_en, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$9  = 0;
   wire [4:0] \$1 ;
   wire [1086:0] \$10 ;
@@ -9368,13 +9370,13 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   input i__valid;
   wire i__valid;
   (* init = 10'h000 *)
-  output [9:0] \port$1690$0 ;
-  wire [9:0] \port$1690$0 ;
+  output [9:0] \port$1691$0 ;
+  wire [9:0] \port$1691$0 ;
   (* init = 8'h00 *)
-  output [7:0] \port$1692$0 ;
-  wire [7:0] \port$1692$0 ;
-  output [671:0] \port$1694$0 ;
-  wire [671:0] \port$1694$0 ;
+  output [7:0] \port$1693$0 ;
+  wire [7:0] \port$1693$0 ;
+  output [671:0] \port$1695$0 ;
+  wire [671:0] \port$1695$0 ;
   wire [679:0] requant;
   wire [7:0] \requant.addr ;
   wire [671:0] \requant.data ;
@@ -9575,9 +9577,9 @@ module \macram_top.array.loader (i__valid, rst, fault, error, i__payload, soft_r
   assign busy = i__ready;
   assign weight = { shifter[647:576], \$27  };
   assign requant = { shifter[671:0], \$29  };
-  assign \port$1690$0  = \$27 ;
-  assign \port$1692$0  = \$29 ;
-  assign \port$1694$0  = shifter[671:0];
+  assign \port$1691$0  = \$27 ;
+  assign \port$1693$0  = \$29 ;
+  assign \port$1695$0  = shifter[671:0];
   assign \i__payload.data  = i__payload[63:0];
   assign \i__payload.last  = i__payload[64];
   assign \weight.addr  = \$27 ;
@@ -19051,7 +19053,7 @@ module \macram_top.array.unit063 (rst, core__shift, core__chain_i, chain_o, core
 endmodule
 
 module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb, axi__wvalid, axi__bready, axi__araddr, axi__arvalid, axi__rready, rst, \port$2$0 , axi__awready, axi__wready, axi__arready, busy, command, axi__bvalid, axi__bresp, height, width, c_in
-, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1367$0 , \port$1373$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
+, c_out, mode, param_words, param_base, weight_base, requant_base, axi__rvalid, axi__rdata, axi__rresp, \port$1368$0 , \port$1374$0 , cycles, mac_cycles, fill_cycles, input_stalls, output_stalls, drain_cycles, loading, clk);
   reg \$auto$verilog_backend.cc:2355:dump_module$11  = 0;
   wire \$1 ;
   wire \$10 ;
@@ -19175,10 +19177,10 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
   output [31:0] param_words;
   reg [31:0] param_words = 32'd0;
   wire [31:0] partial_c_in;
-  input \port$1367$0 ;
-  wire \port$1367$0 ;
-  input [2:0] \port$1373$0 ;
-  wire [2:0] \port$1373$0 ;
+  input \port$1368$0 ;
+  wire \port$1368$0 ;
+  input [2:0] \port$1374$0 ;
+  wire [2:0] \port$1374$0 ;
   input \port$2$0 ;
   wire \port$2$0 ;
   output [31:0] requant_base;
@@ -19515,9 +19517,9 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
         5'h02:
             \$43  = 32'd0;
         5'h03:
-            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1367$0 , busy };
+            \$43  = { 28'h0000000, loading, \port$2$0 , \port$1368$0 , busy };
         5'h04:
-            \$43  = { 29'h00000000, \port$1373$0  };
+            \$43  = { 29'h00000000, \port$1374$0  };
         5'h05:
             \$43  = height;
         5'h06:
@@ -20150,8 +20152,8 @@ module \macram_top.registers (axi__awaddr, axi__awvalid, axi__wdata, axi__wstrb,
       \$35  = 32'd0;
     end
   end
-  assign status = { 28'h0000000, loading, \port$2$0 , \port$1367$0 , busy };
-  assign error = { 29'h00000000, \port$1373$0  };
+  assign status = { 28'h0000000, loading, \port$2$0 , \port$1368$0 , busy };
+  assign error = { 29'h00000000, \port$1374$0  };
   assign geometry = 32'd67633216;
   assign formats = 32'd197379;
   assign weight_depth = 32'd1024;
