@@ -132,9 +132,9 @@ def test_other_kernels_and_strides(kernel, stride, height, gap):
     run_two_images(ARRAYS["wide"], (2, 2, height, 7, kernel, stride, kernel // 2), gap, 0.0)
 
 
-def run_two_images(array, shape, gap, stall):
+def run_two_images(array, shape, gap, stall, kind="uniform"):
     form = {key: getattr(array, key) for key in ("weight", "input", "output")}
-    run_images(Bench(array, random_case(ConvSpec(*shape, **form), SEED, "uniform"), gap, stall))
+    run_images(Bench(array, random_case(ConvSpec(*shape, **form), SEED, kind), gap, stall))
 
 
 def run_images(bench, images=2):

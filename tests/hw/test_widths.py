@@ -17,4 +17,4 @@ def test_codes_and_cycles(weight, act, output, c_in, stride):
         key: IntFormat(int(text[1:]), signed=text[0] == "s")
         for key, text in (("weight", weight), ("input", act), ("output", output))
     }
-    run_two_images(ArrayConfig(**SMALL, **formats), (c_in, 7, 3, 5, 3, stride, 1), 0.0, 0.0)
+    run_two_images(ArrayConfig(**SMALL, **formats), (c_in, 7, 3, 5, 3, stride, 1), 0.0, 0.0, kind="extremes")
