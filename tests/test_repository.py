@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from macram.cli.app import parser
-from macram.spec.array import SECTIONS
+from macram.spec.array import ENGINE_LATENCY, SECTIONS
 
 ROOT = Path(__file__).resolve().parents[1]
 CODE = {
@@ -236,6 +236,8 @@ def test_documents_agree_with_the_code():
     readme = (ROOT / "README.md").read_text()
     assert not [name for name in names if f"{name}: " not in readme]
     assert f"output buffer ({SECTIONS} groups)" in (ROOT / "docs/architecture.md").read_text()
+    rows = re.findall(r"^\| `(\w+)` \|.* (\d+) \|$", (ROOT / "docs/engines.md").read_text(), re.MULTILINE)
+    assert {kind: int(latency) for kind, latency in rows} == ENGINE_LATENCY
 
 
 def test_typed_commands_are_found():

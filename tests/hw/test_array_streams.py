@@ -120,7 +120,7 @@ def with_last(beats):
     ],
 )
 def test_two_images_after_a_load(name, shape, gap, stall):
-    _two_images(ARRAYS[name], shape, gap, stall)
+    run_two_images(ARRAYS[name], shape, gap, stall)
 
 
 @pytest.mark.parametrize("gap", [0.0, 0.8])
@@ -129,12 +129,12 @@ def test_two_images_after_a_load(name, shape, gap, stall):
 )
 def test_other_kernels_and_strides(kernel, stride, height, gap):
     """Few output channels and a slow source: a row that is read before it is there gives wrong codes."""
-    _two_images(ARRAYS["wide"], (2, 2, height, 7, kernel, stride, kernel // 2), gap, 0.0)
+    run_two_images(ARRAYS["wide"], (2, 2, height, 7, kernel, stride, kernel // 2), gap, 0.0)
 
 
-def _two_images(array, shape, gap, stall):
+def run_two_images(array, shape, gap, stall, kind="uniform"):
     form = {key: getattr(array, key) for key in ("weight", "input", "output")}
-    run_images(Bench(array, random_case(ConvSpec(*shape, **form), SEED, "uniform"), gap, stall))
+    run_images(Bench(array, random_case(ConvSpec(*shape, **form), SEED, kind), gap, stall))
 
 
 def run_images(bench, images=2):

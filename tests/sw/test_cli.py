@@ -175,7 +175,7 @@ def test_bad_paths_end_in_one_line(simulator, layer_file, tmp_path, capsys):
     assert main(["layer", str(tmp_path / "none.npz"), "-o", str(tmp_path)]) == 2
     assert "none.npz" in one_line_of(capsys)
     assert main(["layer", str(layer_file), "-o", str(layer_file)]) == 2
-    assert "File exists" in one_line_of(capsys)
+    assert "File exists; name another file or folder" in one_line_of(capsys)
     assert main(["layer", str(layer_file), "-o", str(tmp_path), "--array", str(tmp_path / "a.toml")]) == 2
     assert "a.toml" in one_line_of(capsys)
     assert main(["layer", str(layer_file), "-o", str(tmp_path / "none"), "--seed", "-1"]) == 2

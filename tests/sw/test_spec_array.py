@@ -58,6 +58,8 @@ def test_eight_output_bits_use_the_multiplier():
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
+        ({"name": ""}, "name must be letters, digits, .*, not ''"),
+        ({"name": "../x"}, "name must be letters, digits, .*, not '../x'"),
         ({"units": 2}, r"units must be in 4\.\.1024, not 2"),
         ({"units": 48}, "units must be a power of two, not 48"),
         ({"units": 8}, r"units must be a multiple of 4 \* drain = 16, not 8"),

@@ -312,5 +312,5 @@ def _one_line(error: Exception) -> str:
         if package in EXTRAS:
             return f"{package} is not installed; pip install 'macram[{EXTRAS[package]}]'"
     if isinstance(error, OSError) and error.filename and error.strerror:
-        return f"{error.filename}: {error.strerror}"
+        return f"{error.filename}: {error.strerror}; name another file or folder"
     return " ".join(str(error).split()) or type(error).__name__

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+import re
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -46,13 +47,15 @@ PACKED_BITS = 3
 """Most bits of an operand of the kinds other than ``portable``: the lanes in a DSP slice lie 7 bits apart, and the
 operands of a product in LUTs fill the inputs of one LUT."""
 
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
+
 
 @dataclass(frozen=True, slots=True)
 class ArrayConfig:
     """One PIM array. Every field is a build-time constant; layer shapes are set at run time.
 
     Attributes:
-        name: goes into the manifest and into the names of reports.
+        name: goes into the manifest and into the names of reports and of their folders.
         units: PIM units; unit u owns output channels u, u + units, ...
         rows: row engines per unit; each takes one input channel per cycle. Any number, not only a power of two.
         weight, input, output: code formats.
@@ -96,6 +99,11 @@ class ArrayConfig:
     requant_ram: str = "block"
 
     def __post_init__(self) -> None:
+        if not _NAME.fullmatch(self.name):
+            raise ValueError(
+                f"name must be letters, digits, '.', '_' and '-', a letter or digit first, not {self.name!r}: it "
+                f"becomes part of file names"
+            )
         limits = {
             "units": (4, 1024), "rows": (1, 64), "max_c_in": (1, 8192), "max_c_out": (1, 8192),
             "weight_depth": (3, 1 << 16), "row_words": (2, 1 << 16), "drain": (1, 64),
@@ -361,7 +369,10 @@ class ArrayConfig:
             mine, theirs = getattr(self, key), getattr(layer, key)
             raised = key == "input" and self.biased(layer) and mine.bits == theirs.bits
             if mine != theirs and not raised:
-                raise ValueError(f"the array's {key} format is {mine}, the layer's is {theirs}")
+                raise ValueError(
+                    f"the array's {key} format is {mine}, the layer's is {theirs}; name an array with "
+                    f'{key} = "{theirs}"'
+                )
         if layer.padding != layer.kernel // 2:
             raise ValueError(
                 f"the array runs 3x3 kernels with padding 1 and 1x1 kernels with padding 0, not "
