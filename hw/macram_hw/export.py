@@ -10,6 +10,7 @@ from pathlib import Path
 import amaranth
 from amaranth.back import verilog
 from amaranth.hdl import ClockDomain, ClockSignal, Fragment, Instance, ResetSignal, Value
+from amaranth.hdl._ir import PortDirection
 from amaranth.hdl._xfrm import DomainCollector
 from amaranth.lib import memory
 from amaranth.lib.wiring import In
@@ -85,13 +86,19 @@ def model_path(name: str) -> Path:
 def component_verilog(component, name: str) -> str:
     """One component as a Verilog module ``name``, memories and primitives as instances; the same bytes each time."""
     fragment = Fragment.get(component, _ExportPlatform())
+    # With directions: an output that this component leaves at its initial value would else become an input.
     ports = {
-        "__".join(map(str, path)): (Value.cast(value), None)
-        for path, _, value in component.signature.flatten(component)
+        "__".join(map(str, path)): (
+            Value.cast(value),
+            PortDirection.Input if member.flow == In else PortDirection.Output,
+        )
+        for path, member, value in component.signature.flatten(component)
     }
     for domain in _missing_domains(fragment):
         fragment.add_domains(domain)
-        ports |= {port.name: (port, None) for port in (domain.clk, domain.rst) if port is not None}
+        ports |= {
+            port.name: (port, PortDirection.Input) for port in (domain.clk, domain.rst) if port is not None
+        }
     text = verilog.convert(fragment, name, ports=ports, emit_src=False, strip_internal_attrs=True)
     # The banner names the generator's build; the same configuration must give the same bytes.
     return re.sub(r"\A/\*.*?\*/\n", "", text, count=1)

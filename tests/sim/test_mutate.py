@@ -90,7 +90,7 @@ def faked(monkeypatch):
 def test_killed_survived_and_resumed(faked, tmp_path):
     steps = []
     first = run_mutants(
-        tmp_path, seed=7, count=12, keep=lambda table, verdict: steps.append((table, verdict))
+        tmp_path, seed=8, count=12, keep=lambda table, verdict: steps.append((table, verdict))
     )
     assert [table["judged"] for table, _ in steps] == list(range(13))
     assert steps[0][1] is None
@@ -104,7 +104,7 @@ def test_killed_survived_and_resumed(faked, tmp_path):
     # A stopped run goes on: survivors are judged again, the others are not.
     faked.clear()
     stopped = steps[8][0]
-    again = run_mutants(tmp_path, seed=7, count=12, earlier=stopped, keep=lambda *_: None)
+    again = run_mutants(tmp_path, seed=8, count=12, earlier=stopped, keep=lambda *_: None)
     drop = [{k: v for k, v in row.items() if k != "seconds"} for row in first["mutants"]]
     assert [{k: v for k, v in row.items() if k != "seconds"} for row in again["mutants"]] == drop
     assert faked.count("proofs") == first["survived"]
@@ -113,7 +113,7 @@ def test_killed_survived_and_resumed(faked, tmp_path):
 
 
 def test_a_quick_run_leaves_its_survivors_to_a_later_one(faked, tmp_path):
-    quick = run_mutants(tmp_path, seed=7, count=12, quick=True, keep=lambda *_: None)
+    quick = run_mutants(tmp_path, seed=8, count=12, quick=True, keep=lambda *_: None)
     assert set(faked) == {"elaborate", "unit tests"}
     assert quick["quick"]
     faked.clear()
@@ -132,13 +132,13 @@ def test_a_mutant_that_changes_no_array_does_not_count(faked, tmp_path, monkeypa
 
 
 def test_a_reviewed_equivalent_is_no_survivor(faked, tmp_path, monkeypatch):
-    first = run_mutants(tmp_path, seed=7, count=12, keep=lambda *_: None)
+    first = run_mutants(tmp_path, seed=8, count=12, keep=lambda *_: None)
     row = next(row for row in first["mutants"] if row["killed_by"] == "survived")
     listed = tmp_path / "equivalents.toml"
     entry = "\n".join(f"{key} = {json.dumps(row[key])}" for key in ("file", "old", "new"))
     listed.write_text(f'[[equivalent]]\n{entry}\nreason = "the bit is never read"\n')
     monkeypatch.setattr(mutate, "EQUIVALENTS", listed)
-    again = run_mutants(tmp_path, seed=7, count=12, earlier=first, keep=lambda *_: None)
+    again = run_mutants(tmp_path, seed=8, count=12, earlier=first, keep=lambda *_: None)
     assert (again["equivalent"], again["survived"]) == (1, first["survived"] - 1)
     assert (
         next(r["how"] for r in again["mutants"] if r["killed_by"] == "equivalent") == "the bit is never read"

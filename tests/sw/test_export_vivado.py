@@ -22,7 +22,7 @@ from macram.pack import pack_layer, read_packed
 from macram.spec import ArrayConfig, ConvSpec
 
 TINY = ArrayConfig(
-    name='tiny "array" [x] $y', units=8, rows=2, drain=2, max_c_in=16, max_c_out=32, weight_depth=64,
+    name="tiny-array_x.y", units=8, rows=2, drain=2, max_c_in=16, max_c_out=32, weight_depth=64,
     row_words=32, stream_bits=32,
 )  # fmt: skip
 DOUBLED = ArrayConfig(

@@ -165,7 +165,9 @@ ACCUMULATORS: tuple[Proof, ...] = (
                 "adder = Add3(signed_format_for(lo, hi).bits - 1",
             ),
             Break(_UNIT, "with m.If(early.en & early.first):", "with m.If(early.first):"),
-            Break(_UNIT, "used = control.first & ~control.edge if k == 1", "used = control.first if k == 1"),
+            Break(
+                _UNIT, "used = control.carried & ~control.edge if k == 1", "used = control.carried if k == 1"
+            ),
             Break(_UNIT, "early.edge if k == 0 else None", "None"),
         ),
         fast=False,

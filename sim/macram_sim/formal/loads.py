@@ -161,7 +161,7 @@ LOADING: tuple[Proof, ...] = (
                 "to_requant, load_end = Signal(), Signal(32)",
             ),
             Break(_ARRAY, "with m.If((self.command & (self.command - 1)).any()):", "with m.If(0):"),
-            Break(_ARRAY, "with m.If(self.loading):", "with m.If(0):"),
+            Break(_ARRAY, "with m.If(self.loading | (self.busy & takes)):", "with m.If(0):"),
         ),
     ),
 )
