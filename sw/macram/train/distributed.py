@@ -110,6 +110,25 @@ def _summed(value: Tensor) -> Tensor:
     return cast(Tensor, _Sum.apply(value))  # type: ignore[no-untyped-call]
 
 
+@torch.no_grad()
+def follow_statistics(layer: nn.BatchNorm2d, mean: Tensor, variance: Tensor, count: Tensor | float) -> None:
+    """Moves running statistics as PyTorch's own layer does, where the layer keeps them.
+
+    Args:
+        layer: in training mode.
+        mean: of the batch, per channel.
+        variance: of the batch, per channel, over ``count`` values (not one less).
+        count: values per channel.
+    """
+    if not layer.track_running_stats or layer.running_mean is None or layer.running_var is None:
+        return
+    assert layer.num_batches_tracked is not None
+    assert layer.momentum is not None
+    layer.num_batches_tracked.add_(1)
+    layer.running_mean.lerp_(mean, layer.momentum)
+    layer.running_var.lerp_(variance * (count / (count - 1)), layer.momentum)
+
+
 class SharedBatchNorm2d(nn.BatchNorm2d):
     """Batch normalisation whose training statistics are those of all processes' images.
 
@@ -127,13 +146,7 @@ class SharedBatchNorm2d(nn.BatchNorm2d):
         mean = sums[:-1] / count
         centred = x - mean[:, None, None]
         variance = _summed(centred.square().sum((0, 2, 3))) / count
-        if self.track_running_stats and self.running_mean is not None and self.running_var is not None:
-            assert self.num_batches_tracked is not None
-            assert self.momentum is not None
-            with torch.no_grad():
-                self.num_batches_tracked.add_(1)
-                self.running_mean.lerp_(mean, self.momentum)
-                self.running_var.lerp_(variance * (count / (count - 1)), self.momentum)
+        follow_statistics(self, mean, variance, count)
         scale = self.weight * (variance + self.eps).rsqrt()
         y: Tensor = centred * scale[:, None, None] + self.bias[:, None, None]
         return y.to(input.dtype)

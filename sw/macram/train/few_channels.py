@@ -12,6 +12,8 @@ from typing import Any, cast
 import torch
 from torch import Tensor, nn
 
+from macram.train.distributed import follow_statistics
+
 VECTOR = 32
 """Channels from which on PyTorch's own kernels are at full speed (bfloat16 in 512 bits)."""
 
@@ -80,14 +82,7 @@ class WideBatchNorm2d(nn.BatchNorm2d):
         y, mean, variance = _Widened.apply(  # type: ignore[no-untyped-call]
             rows.permute(0, 3, 1, 2), self.weight, self.bias, copies, self.eps
         )
-        if self.track_running_stats and self.running_mean is not None and self.running_var is not None:
-            assert self.num_batches_tracked is not None
-            assert self.momentum is not None
-            count = n * h * w
-            with torch.no_grad():
-                self.num_batches_tracked.add_(1)
-                self.running_mean.lerp_(mean, self.momentum)
-                self.running_var.lerp_(variance * (count / (count - 1)), self.momentum)
+        follow_statistics(self, mean, variance, n * h * w)
         return cast(Tensor, y.permute(0, 2, 3, 1).view(n, h, w, c).permute(0, 3, 1, 2))
 
 
