@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import random
 from dataclasses import replace
@@ -10,13 +9,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from test_kinds import run_all
 
 from macram.golden import random_case, run_layer
-from macram.pack import pack_layer, pack_passes
+from macram.pack import pack_passes
 from macram.perf import estimate
 from macram.spec import ArrayConfig, ConvSpec, IntFormat
-from macram_sim import runner
-from macram_sim.array import build_array, simulate
+from macram_sim.array import simulate
 
 TINY = ArrayConfig.from_toml(Path(__file__).parents[2] / "configs" / "tiny.toml")
 DEEP = {"max_c_in": 64, "max_c_out": 64, "weight_depth": 160, "row_words": 160}
@@ -46,26 +45,11 @@ def random_layers(count, rng):
     return layers
 
 
-def run_all(cases, folder, *, gaps="none", stalls="none"):
-    """Codes and counters of every case, one after the other on one simulated array."""
-    names = [f"{index:03d}" for index in range(len(cases))]
-    for name, case in zip(names, cases, strict=True):
-        pack_layer(case, ARRAY).write(folder / name / "packed")
-        np.save(folder / name / "input.npy", case.input)
-    (folder / "layers.json").write_text(
-        json.dumps({"gaps": gaps, "stalls": stalls, "seed": SEED, "layers": names})
-    )
-    job = {"MACRAM_JOB": str(folder)}
-    runner.run(build_array(ARRAY), "bench_layers", folder / "run", seed=SEED, env=job)
-    codes = [np.load(folder / name / "output.npy") for name in names]
-    return codes, json.loads((folder / "counters.json").read_text())
-
-
 def test_codes_and_cycles(toolchain, tmp_path):
     rng = random.Random(SEED)
     layers = random_layers(48, rng)
     cases = [random_case(spec, index, rng.choice(FILLS)) for index, spec in enumerate(layers)]
-    codes, counters = run_all(cases, tmp_path)
+    codes, counters = run_all(ARRAY, cases, tmp_path)
     left_over, exact, waited = set(), 0, set()
     for case, found, counted in zip(cases, codes, counters, strict=True):
         np.testing.assert_array_equal(found, run_layer(case), err_msg=str(case.spec))
@@ -89,7 +73,7 @@ def test_codes_and_cycles(toolchain, tmp_path):
 def test_gaps_and_stalls_change_no_code(toolchain, tmp_path, gaps, stalls):
     rng = random.Random(SEED + len(gaps))
     cases = [random_case(spec, index, rng.choice(FILLS)) for index, spec in enumerate(random_layers(12, rng))]
-    codes, _ = run_all(cases, tmp_path, gaps=gaps, stalls=stalls)
+    codes, _ = run_all(ARRAY, cases, tmp_path, gaps=gaps, stalls=stalls)
     for case, found in zip(cases, codes, strict=True):
         np.testing.assert_array_equal(found, run_layer(case), err_msg=str(case.spec))
 
