@@ -191,11 +191,19 @@ def restore_optimiser(
     optimiser: torch.optim.Optimizer, names: Mapping[Tensor, str], tensors: Mapping[str, Tensor]
 ) -> None:
     """Inverse of `optimiser_tensors`; learning rates and the like stay as they are."""
+    parameters = {name: parameter for parameter, name in names.items()}
     by_name: dict[str, dict[str, Tensor]] = {}
     for name, value in tensors.items():
         parameter, _, slot = name.rpartition("/")
-        by_name.setdefault(parameter, {})[slot] = value
+        by_name.setdefault(parameter, {})[slot] = _laid_out_as(parameters.get(parameter), value)
     order = [names[p] for group in optimiser.param_groups for p in group["params"]]
     state = optimiser.state_dict()
     state["state"] = {i: by_name[name] for i, name in enumerate(order) if name in by_name}
     optimiser.load_state_dict(state)
+
+
+def _laid_out_as(parameter: Tensor | None, value: Tensor) -> Tensor:
+    """``value`` with the strides of ``parameter``: files hold rows, and fused optimisers go through both alike."""
+    if parameter is None or parameter.shape != value.shape:
+        return value
+    return torch.empty_like(parameter, dtype=value.dtype, device=value.device).copy_(value)
