@@ -19,6 +19,7 @@ from macram.quant import LsqConv2d
 from macram.train.checkpoint import load_model, read_tensors
 from macram.train.config import TrainConfig
 from macram.train.distributed import Processes
+from macram.train.feed import Feed
 from macram.train.loop import LAST, MODEL, Run
 from macram.train.mixed import exact_layers
 from macram.train.watch import Watch
@@ -133,8 +134,8 @@ def test_every_stage_trains_what_it_should(stage, scene, tmp_path, wdr):
         # The published fault: statistics of the frozen backbone drift, and the counterfactual pyramid stays.
         assert ("model.backbone" in moved) == (stage == "published")
         assert any(name.startswith("fpn.") for name in moved) == (stage == "counterfactual")
-        assert run.augment.draws == ("independent" if stage == "published" else "shared")
-        assert run.augment.labels == ("reference" if stage == "published" else "exact")
+        assert run.feed.augment.draws == ("independent" if stage == "published" else "shared")
+        assert run.feed.augment.labels == ("reference" if stage == "published" else "exact")
     else:
         assert {"backbone.init", "fpn.laterals", "head.pose"} <= moved
     net, card = load_model(tmp_path / "run" / MODEL)
@@ -184,7 +185,7 @@ def test_the_log_tells_what_loading_costs(scene, tmp_path, monkeypatch):
         return slow
 
     monkeypatch.setattr("macram.train.loop.time.monotonic", lambda: now)
-    monkeypatch.setattr(Run, "_batch", passing(9.0, Run._batch))
+    monkeypatch.setattr(Feed, "_batch", passing(9.0, Feed._batch))
     monkeypatch.setattr(Run, "_update", passing(3.0, update))
     Run(config(scene, tmp_path / "run"), ALONE, None).train()
     with (tmp_path / "run/log.csv").open() as file:

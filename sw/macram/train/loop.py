@@ -9,14 +9,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import torch
 from rich.console import Console
 from torch import Tensor, nn
 
 from macram.data.files import write_picture
 from macram.quant import calibrate_steps
-from macram.train.augment import NONE
 from macram.train.checkpoint import (
     optimiser_tensors,
     read_tensors,
@@ -26,6 +24,7 @@ from macram.train.checkpoint import (
 )
 from macram.train.config import TrainConfig, completed
 from macram.train.distributed import Processes, share_batch_norm
+from macram.train.feed import Feed
 from macram.train.few_channels import widen_batch_norm
 from macram.train.logs import Bar, Log
 from macram.train.mixed import autocast_helps, exact_layers
@@ -37,8 +36,7 @@ from macram.train.samples import score, validation_frames
 from macram.train.schedule import crop_phase, learning_rate, progress
 from macram.train.stages import Stage
 from macram.train.stopping import Clock, stop_on_signal
-from macram.train.views import VIEWS, draw_views, frame_order
-from macram.train.warp import Batch, Cells, Warper
+from macram.train.warp import Batch, Cells
 from macram.train.watch import Watch
 
 LAST, MODEL = "last.safetensors", "model.safetensors"
@@ -72,20 +70,24 @@ class Run:
             )
         device = processes.device
         self.step, self.visits, self.minutes = 0, 0, 0.0
-        self.loading = 0.0
         if config.data.validation:  # now, not when the first scores are due
             validation_frames(self.config)
         self.frames = self._packed()
         self.stage = Stage(config, self.frames)
-        self.augment = self.stage.augmentation()
         if any(min(p.batch or config.schedule.batch for p in config.crops) < n for n in [processes.world]):
             raise ValueError(f"every batch needs an image for each of the {processes.world} processes")
         self.stage.module.to(device).to(memory_format=torch.channels_last)  # type: ignore[call-overload]
-        self.warper = Warper(self.frames, device, config.run.seed, counterfactual=self.stage.counterfactual)
-        self.cells: dict[tuple[int, int], Cells] = {}
+        self.feed = Feed(
+            config,
+            self.frames,
+            processes,
+            self.stage.net.config.levels,
+            self.stage.augmentation(),
+            counterfactual=self.stage.counterfactual,
+        )
         self.watch = Watch(device)
         if self.stage.card.mode and not resume:
-            calibrate_steps(self.stage.net, self._plain(config.quant.calibration))
+            calibrate_steps(self.stage.net, self.feed.plain(config.quant.calibration))
         keypoints = torch.tensor(self.stage.card.keypoints, device=device)
         self.objective = Objective(config.loss, self.stage.card.diameter, keypoints)
         processes.copy_first(self.stage.module)
@@ -115,32 +117,6 @@ class Run:
         if self.processes.first:
             self.processes.wait()
         return frames
-
-    def _plain(self, count: int) -> Tensor:
-        """Whole frames as they are, normalised."""
-        chosen = np.linspace(0, len(self.frames) - 1, min(count, len(self.frames))).round().astype(np.int64)
-        batch, _ = self._batch(chosen, np.random.default_rng(0), self.frames.size, plain=True)
-        return batch.image
-
-    def _batch(
-        self, chosen: Any, rng: np.random.Generator, size: tuple[int, int], *, plain: bool = False
-    ) -> tuple[Batch, Cells]:
-        if size not in self.cells:
-            self.cells[size] = Cells(self.stage.net.config.levels, size, self.processes.device)
-        cells = self.cells[size]
-        settings = NONE if plain else self.augment
-        views = draw_views(
-            self.frames,
-            chosen,
-            rng,
-            replace(settings, centred=size != self.frames.size),
-            size=size,
-            anchors=self.stage.net.config.levels.anchors,
-            cells=len(cells),
-            noise_places=self.warper.noise_places(size),
-        )
-        part = views if plain else views.part(self.processes.rank, self.processes.world)
-        return self.warper.batch(part, cells, size), cells
 
     def train(self) -> Path:
         """Trains to the end, the time limit, or an interruption, and leaves a checkpoint.
@@ -190,10 +166,10 @@ class Run:
                     "visits": self.visits,
                     "minutes": clock.minutes,
                     "img_s": rate,
-                    "loading": 100 * self.loading / max(now - since, 1e-9),
+                    "loading": 100 * self.feed.seconds / max(now - since, 1e-9),
                     **means,
                 }
-                sums, counted, summed, self.loading = {}, 0, 0, 0.0
+                sums, counted, summed, self.feed.seconds = {}, 0, 0, 0.0
                 every = config.log.evaluate_minutes
                 if first and every and clock.minutes - scored >= every:
                     row |= self._score(log)
@@ -239,14 +215,7 @@ class Run:
 
     def _next_batch(self, images: int, done: float) -> tuple[Batch, Cells, int]:
         """This process's part of the step's views, their cells, their height."""
-        rng = np.random.default_rng([self.config.run.seed, VIEWS, self.step])
-        side = int(rng.choice(crop_phase(self.config, done).sizes))
-        size = (side, side) if side else self.frames.size
-        chosen = frame_order(self.config.run.seed, len(self.frames), self.visits, images)
-        start = time.monotonic()
-        batch, cells = self._batch(chosen, rng, size)
-        self.loading += time.monotonic() - start
-        return batch, cells, size[0]
+        return self.feed.batch(self.step, self.visits, images, done)
 
     def _gradients(self, batch: Batch, cells: Cells, images: int, *, surface: bool) -> dict[str, Tensor]:
         """Forward and backward: losses by name, gradients of all processes."""
