@@ -172,7 +172,7 @@ def test_an_old_verilator_is_passed_over(tmp_path, toolchain):
 
 
 @pytest.mark.slow
-def test_two_processes_build_the_same_thing(toolchain, tmp_path):
+def test_two_processes_build_the_same_thing(toolchain, tmp_path, monkeypatch):
     design = tmp_path / "wire.v"
     design.write_text("module wire_top(input a, output b);\n  assign b = a;\nendmodule\n")
     code = (
@@ -189,6 +189,16 @@ def test_two_processes_build_the_same_thing(toolchain, tmp_path):
     lines = sorted(process.communicate()[0].split() for process in both)
     assert [line[0] for line in lines] == ["0", "1"]
     assert lines[0][1] == lines[1][1]
+    folders = [path for path in (tmp_path / "build" / "sim").iterdir() if path.is_dir()]
+    assert sorted(path.name.split("-")[0] for path in folders) == ["runtime", "wire_top"]
+    # What every model shares is compiled once: of the next one, only its own files are.
+    monkeypatch.setenv("MACRAM_BUILD_DIR", str(tmp_path / "build"))
+    monkeypatch.setenv("WAVES", "0")
+    design.write_text("module wire_2(input a, output b);\n  assign b = !a;\nendmodule\n")
+    log = (build.build([design], "wire_2").directory / "build.log").read_text()
+    compiled = {Path(line.split()[-1]).name for line in log.splitlines() if " -c " in line}
+    assert {name for name in compiled if not name.startswith("Vtop")} == {"verilator.cpp"}
+    assert ".gch" not in log
 
 
 @pytest.mark.slow
