@@ -51,7 +51,7 @@ demo: tools $(STAMP)  ## image -> network -> array -> comparison -> build/demo/r
 	@$(MACRAM) demo $(IMAGE_ARG) $(OUT_ARG) $(SEED_ARG) $(WAVES_ARG)
 
 test: tools $(STAMP)  ## every test
-	@OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n 2 --dist loadfile
+	@OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder
 
 test-fast: $(STAMP)  ## the tests that need no simulator
 	@$(BIN)/python -m pytest -m "not sim and not slow"

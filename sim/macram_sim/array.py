@@ -22,7 +22,8 @@ import macram_hw
 from macram.golden import ResidualRule
 from macram.pack import PackedLayer
 from macram.spec import ArrayConfig
-from macram_sim.build import Build, SimulationError, build, build_root, locked, waves_wanted
+from macram_sim.build import Build, SimulationError, build, waves_wanted
+from macram_sim.folders import build_root, locked
 from macram_sim.runner import choose_seed, run
 from macram_sim.streams import PATTERNS
 

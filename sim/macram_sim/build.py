@@ -7,7 +7,6 @@ to be right.
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import json
 import os
@@ -15,8 +14,7 @@ import re
 import shutil
 import subprocess
 import time
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -24,6 +22,8 @@ import cocotb
 import cocotb_tools.config
 from cocotb_tools import runner as cocotb_runner
 
+from macram_sim.folders import build_root, locked
+from macram_sim.runtime import Runtime
 from macram_sim.tools import Toolchain, find_toolchain
 
 BUILD_JOBS = 2
@@ -97,7 +97,15 @@ class LeanVerilator(cocotb_runner.Verilator):
         at = verilate.index("--public-flat-rw")
         verilate[at : at + 1] = VISIBLE
         make[make.index("-j") + 1] = str(BUILD_JOBS)
-        return [verilate, [*make, f"OPT_FAST={OPT_FAST}", f"OPT_GLOBAL={OPT_FAST}", f"OPT_SLOW={OPT_SLOW}"]]
+        make += [f"OPT_FAST={OPT_FAST}", f"OPT_GLOBAL={OPT_FAST}", f"OPT_SLOW={OPT_SLOW}"]
+        shared = [
+            "--vpi",
+            *VISIBLE,
+            *(["--trace"] if self.waves else []),
+            *(a.value for a in self._build_args),
+        ]
+        self._runtime = Runtime(self._tools, tuple(shared), tuple(a for a in make if "=" in a))
+        return [verilate, [*make, *self._runtime.headers()]]
 
     def _execute(self, cmds: Sequence[Sequence[str]], cwd: os.PathLike[str] | str) -> None:
         """As the base class, but a run's stderr stays the caller's: benches report progress there."""
@@ -105,6 +113,8 @@ class LeanVerilator(cocotb_runner.Verilator):
         with Path(self.log_file).open("w", encoding="utf-8") as log:
             for command in cmds:
                 building = command[0] in (self.executable, "make") if hasattr(self, "executable") else False
+                if command[0] == "make":
+                    self._runtime.lay_into(self.build_dir, BUILD_JOBS, log)
                 subprocess.run(
                     list(command),
                     cwd=cwd,
@@ -115,18 +125,6 @@ class LeanVerilator(cocotb_runner.Verilator):
                     timeout=self._timeout,
                     check=True,
                 )
-
-
-def build_root() -> Path:
-    """``$MACRAM_BUILD_DIR/sim``, else ``macram/sim`` in ``$XDG_CACHE_HOME``, else in ``~/.cache``.
-
-    Not below the current directory: the same array would be built again in every folder somebody works in.
-    """
-    if chosen := os.environ.get("MACRAM_BUILD_DIR"):
-        return (Path(chosen) / "sim").resolve()
-    cache = Path(os.environ.get("XDG_CACHE_HOME", ""))
-    # The XDG specification says that a relative path is to be ignored.
-    return (cache if cache.is_absolute() else Path.home() / ".cache") / "macram" / "sim"
 
 
 def waves_wanted(waves: bool | None = None) -> bool:
@@ -149,7 +147,7 @@ def build(
         sources: ``.v``, ``.sv`` and ``.vlt`` files, in order.
         toplevel: module to build; its ports are what a bench can see.
         parameters: values of the top's parameters.
-        args: further arguments for Verilator.
+        args: further arguments for Verilator, none that means one model, such as a file or ``-G``.
         waves: make a model that can write waveforms; ``WAVES`` of the environment wins. A separate build.
 
     Raises:
@@ -227,11 +225,3 @@ def _digest(path: Path) -> str:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError as error:
         raise ValueError(f"source {path} cannot be read: {error.strerror}") from error
-
-
-@contextmanager
-def locked(path: Path) -> Iterator[None]:
-    """Only one process at a time builds the same thing; the next one finds it done."""
-    with path.open("w") as handle:
-        fcntl.flock(handle, fcntl.LOCK_EX)
-        yield

@@ -13,8 +13,8 @@ from typing import Any
 
 from macram.spec import ArrayConfig, IntFormat
 from macram_sim.array import build_array
-from macram_sim.build import build_root
 from macram_sim.coverage import Observation, Score, score
+from macram_sim.folders import build_root
 from macram_sim.runner import run
 
 CASES = 60

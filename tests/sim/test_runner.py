@@ -4,9 +4,11 @@ files."""
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
+from uuid import uuid4
 
 import pytest
 
@@ -171,15 +173,16 @@ def test_an_old_verilator_is_passed_over(tmp_path, toolchain):
     assert [_version(t) for t in ("Verilator 5.048 x", "rev unknown")] == [(5, 48), (0, 0)]
 
 
-@pytest.mark.slow
-def test_two_processes_build_the_same_thing(toolchain, tmp_path):
+def test_two_processes_build_the_same_thing(echo, tmp_path):
+    """And compile only the model's own files: those that every model shares were there from ``echo``."""
     design = tmp_path / "wire.v"
-    design.write_text("module wire_top(input a, output b);\n  assign b = a;\nendmodule\n")
+    # A design that no earlier run built.
+    design.write_text(f"// {uuid4()}\nmodule wire_top(input a, output b);\n  assign b = a;\nendmodule\n")
     code = (
         "import sys; from pathlib import Path; from macram_sim import build;"
         "b = build.build([Path(sys.argv[1])], 'wire_top'); print(int(b.cached), b.directory)"
     )
-    env = {**os.environ, "MACRAM_BUILD_DIR": str(tmp_path / "build"), "WAVES": "0"}
+    env = {**os.environ, "WAVES": "0"}
     both = [
         subprocess.Popen(
             [sys.executable, "-c", code, str(design)], env=env, stdout=subprocess.PIPE, text=True
@@ -189,6 +192,11 @@ def test_two_processes_build_the_same_thing(toolchain, tmp_path):
     lines = sorted(process.communicate()[0].split() for process in both)
     assert [line[0] for line in lines] == ["0", "1"]
     assert lines[0][1] == lines[1][1]
+    log = (Path(lines[0][1]) / "build.log").read_text()
+    shutil.rmtree(lines[0][1])
+    compiled = {Path(line.split()[-1]).name for line in log.splitlines() if " -c " in line}
+    assert {name for name in compiled if not name.startswith("Vtop")} == {"verilator.cpp"}
+    assert ".gch" not in log
 
 
 @pytest.mark.slow

@@ -1,0 +1,29 @@
+"""Where builds lie, and the lock that makes each of them once."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+
+def build_root() -> Path:
+    """``$MACRAM_BUILD_DIR/sim``, else ``macram/sim`` in ``$XDG_CACHE_HOME``, else in ``~/.cache``.
+
+    Not below the current directory: the same array would be built again in every folder somebody works in.
+    """
+    if chosen := os.environ.get("MACRAM_BUILD_DIR"):
+        return (Path(chosen) / "sim").resolve()
+    cache = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    # The XDG specification says that a relative path is to be ignored.
+    return (cache if cache.is_absolute() else Path.home() / ".cache") / "macram" / "sim"
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Only one process at a time builds the same thing; the next one finds it done."""
+    with path.open("w") as handle:
+        fcntl.flock(handle, fcntl.LOCK_EX)
+        yield
