@@ -7,42 +7,19 @@ import shutil
 import tempfile
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from macram.spec import ArrayConfig, IntFormat
+from macram.spec import ArrayConfig
 from macram_sim.array import build_array
 from macram_sim.build import build_root
-from macram_sim.coverage import Observation, Score, score
+from macram_sim.regression.coverage import Score, score
+from macram_sim.regression.observation import Observation
 from macram_sim.runner import run
 
 CASES = 60
 """Default number of cases per array."""
-_SMALL = ArrayConfig(
-    name="portable",
-    units=8,
-    rows=2,
-    max_c_in=16,
-    max_c_out=32,
-    weight_depth=64,
-    row_words=32,
-    stream_bits=32,
-    drain=2,
-)
-ARRAYS = (
-    _SMALL,
-    replace(_SMALL, name="dsp48e2", engine="dsp48e2"),
-    replace(
-        _SMALL, name="8-bit", weight=IntFormat(8, signed=True), input=IntFormat(8), output=IntFormat(8), stream_bits=64
-    ),
-    replace(
-        _SMALL, name="signed", weight=IntFormat(4, signed=True), input=IntFormat(3, signed=True),
-        output=IntFormat(4, signed=True), rows=4, drain=1, ingest=1,
-    ),
-    replace(_SMALL, name="triples", rows=1, max_c_in=32, row_words=128, weight_depth=120),
-)  # fmt: skip
-"""Small arrays that differ in what has its own logic: engines, requantisers, signs, banks, drain, tiles in threes."""
 
 
 @dataclass(frozen=True)
@@ -167,6 +144,3 @@ class _Following:
         while not self._ended.wait(0.5):
             if self._path.is_file():
                 self._report(self._before + self._path.read_text().count("\n"))
-
-
-__all__ = ["ARRAYS", "CASES", "Regression", "regress"]
