@@ -3,6 +3,6 @@
 from __future__ import annotations
 
 from macram_sim.regression.arrays import ARRAYS
-from macram_sim.regression.run import CASES, Regression, regress
+from macram_sim.regression.run import CASES, Regression, choose_cases, regress
 
-__all__ = ["ARRAYS", "CASES", "Regression", "regress"]
+__all__ = ["ARRAYS", "CASES", "Regression", "choose_cases", "regress"]

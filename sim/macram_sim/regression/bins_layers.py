@@ -167,7 +167,7 @@ def engines() -> Iterable[Bin]:
                 lambda s, e=engine, i=index: e in s.array.row_kinds and s.sums_at_limit[i],  # type: ignore[misc]
                 lambda a, e=engine: e in a.row_kinds,  # type: ignore[misc]
             )  # fmt: skip
-        if engine != "soft":
+        if engine.startswith("dsp48e2"):
             yield Bin(
                 f"an impulse on soft rows beside {engine}", "whichever engine a row has, it meets its own channel",
                 lambda s, e=engine: {e, "soft"} <= set(s.array.row_kinds) and s.kind == "impulse" and s.blocks > 1,  # type: ignore[misc]

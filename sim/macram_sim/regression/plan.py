@@ -99,7 +99,7 @@ def plan(array: ArrayConfig, seed: int) -> Iterator[Case]:
         ValueError: ``seed`` is negative.
     """
     if seed < 0:
-        raise ValueError(f"the seed must be 0 or more, not {seed}")
+        raise ValueError(f"the seed must be at least 0, not {seed}")
     rng = random.Random(f"plan {seed}")
     shapes = _Shapes(array, rng)
     scenarios = _deal([name for name, setting in SCENARIOS.items() if setting.possible(array)], rng)
@@ -112,7 +112,7 @@ def plan(array: ArrayConfig, seed: int) -> Iterator[Case]:
         _deal((False, True), rng),
         _deal((False, False, False, True), rng),
     )
-    residuals = _deal((True, True, False), rng)
+    residuals, ends = _deal((True, True, False), rng), _deal((True, False), rng)
     traffic = _deal([(gaps, stalls) for gaps in PATTERNS for stalls in PATTERNS], rng)
     params = _deal(PATTERNS, rng)
     beside = _deal([(gaps, stalls) for gaps in PATTERNS for stalls in PATTERNS], rng)
@@ -121,6 +121,8 @@ def plan(array: ArrayConfig, seed: int) -> Iterator[Case]:
         scenario, kind = next(scenarios), next(kinds)
         setting = SCENARIOS[scenario]
         block = next(blocks[setting.blocks])
+        if array.partial_sum_c_in and kind in ("min", "max") and "last" in setting.blocks and next(ends):
+            block = "last"  # where the ends of the sums' range are met
         residual = bool(array.residual_stream_bits) and not BLOCKS[block].sums_out
         residual = residual and (setting.residual or next(residuals))
         (gaps, stalls), param_gaps = next(traffic), next(params)
@@ -145,8 +147,10 @@ class _Shapes:
 
     def __init__(self, array: ArrayConfig, rng: random.Random) -> None:
         self._array, self._rng = array, rng
-        self._kernels = _deal([pair for pair in KERNELS if admits(array, *pair)], rng)
-        self._signs = _deal((array.input.signed, True), rng)
+        kinds = [
+            (*pair, sign) for pair in KERNELS for sign in (array.input.signed, True) if admits(array, *pair)
+        ]
+        self._kinds, self._edges = _deal(kinds, rng), _deal((True, False), rng)
         self._tails, self._rows = (
             _deal((*range(GROUP), None), rng),
             _deal(("1", "2", "odd", "even", "any"), rng),
@@ -159,7 +163,9 @@ class _Shapes:
     def next(self, setting: Setting, block: str, kind: str) -> ConvSpec:
         """A layer that has such a block and does what the scenario needs."""
         array, rng = self._array, self._rng
-        (kernel, stride), tail, row = next(self._kernels), next(self._tails), next(self._rows)
+        (kernel, stride, signed), tail, row = next(self._kinds), next(self._tails), next(self._rows)
+        if (kernel, stride, signed) == (3, 1, True) and next(self._edges):
+            tail = 0  # of signed codes on unsigned inputs both edges are corrected
         if tail is None:
             tail, width = 1, 1
         else:
@@ -174,9 +180,7 @@ class _Shapes:
             kernel, stride = TAPS, 1
             c_in, c_out = min(pair[0] * array.rows, array.max_c_in), pair[1] * array.units
         spec = _spec(array, c_in, c_out, height, width, kernel, stride)
-        return _fit(
-            array, replace(spec, input=replace(array.input, signed=next(self._signs))), block, setting.beside
-        )
+        return _fit(array, replace(spec, input=replace(array.input, signed=signed)), block, setting.beside)
 
     def _channels_in(self, block: str, kind: str) -> int:
         array, rng = self._array, self._rng

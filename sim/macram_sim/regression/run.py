@@ -14,6 +14,7 @@ from typing import Any
 from macram.spec import ArrayConfig
 from macram_sim.array import build_array
 from macram_sim.build import build_root
+from macram_sim.regression.arrays import ARRAYS
 from macram_sim.regression.coverage import Score, score
 from macram_sim.regression.observation import Observation
 from macram_sim.runner import run
@@ -84,11 +85,7 @@ def regress(
         SimulationError: a case failed; the message names it and the line that replays it.
         ToolError: a tool is missing.
     """
-    if cases < 1:
-        raise ValueError(f"cases must be at least 1, not {cases}")
-    if only is not None and only < 0:
-        raise ValueError(f"the case to run must be 0 or more, not {only}")
-    indices = list(range(cases)) if only is None else [only]
+    indices = choose_cases(seed, cases, only)
     seen: list[Observation] = []
     seconds = 0.0
     for array in arrays:
@@ -105,7 +102,7 @@ def regress(
                 folder / "run",
                 seed=seed,
                 env={"MACRAM_JOB": str(folder)},
-                rerun=_replay(seed, cases, only),
+                rerun=_replay(array, seed, cases, only),
             )
         seconds += done.seconds
         seen += [Observation.from_dict(array, json.loads(line)) for line in lines.read_text().splitlines()]
@@ -113,8 +110,25 @@ def regress(
     return Regression(tuple(arrays), seed, tuple(seen), score(arrays, seen), seconds)
 
 
-def _replay(seed: int, cases: int, only: int | None) -> str:
-    line = f"macram verify regression --seed {seed}"
+def choose_cases(seed: int, cases: int = CASES, only: int | None = None) -> list[int]:
+    """Indices of the cases that `regress` runs on each array.
+
+    Raises:
+        ValueError: an argument is out of range.
+    """
+    if seed < 0:
+        raise ValueError(f"the seed must be at least 0, not {seed}")
+    if cases < 1:
+        raise ValueError(f"cases must be at least 1, not {cases}")
+    if only is not None and only < 0:
+        raise ValueError(f"the case to run must be at least 0, not {only}")
+    return list(range(cases)) if only is None else [only]
+
+
+def _replay(array: ArrayConfig, seed: int, cases: int, only: int | None) -> str:
+    line = (
+        "macram verify regression " + (f"--array {array.name} " if array in ARRAYS else "") + f"--seed {seed}"
+    )
     return (
         f"{line} --only {only}"
         if only is not None
