@@ -20,7 +20,7 @@ from macram_sim.regression.layer import LayerRun, draw_layer
 from macram_sim.regression.observation import Observation
 from macram_sim.regression.plan import KERNELS, Case, Traffic, admits, plan
 from macram_sim.regression.scenarios import SCENARIOS as PERFORMED
-from macram_sim.regression.settings import BLOCKS, SCENARIOS
+from macram_sim.regression.settings import BLOCKS, SCENARIOS, blocks_of
 from macram_sim.runner import choose_seed
 
 PORTABLE = ARRAYS[0]
@@ -85,11 +85,20 @@ def test_the_plan_depends_on_the_seed_alone(array):
     used = {(case.spec.kernel, case.spec.stride) for case in cases}
     assert used == {pair for pair in KERNELS if admits(array, *pair)}
     assert {case.spec.input.signed for case in cases} == {array.input.signed, True}
-    assert {case.block for case in cases} == set(BLOCKS if array.partial_sum_c_in else ["whole"])
+    assert {case.block for case in cases} == set(blocks_of(array))
     assert {case.residual for case in cases} == {False, bool(array.residual_stream_bits)}
     assert {case.scenario for case in cases} == {
         name for name, setting in SCENARIOS.items() if setting.possible(array)
     }
+
+
+@pytest.mark.parametrize(
+    ("c_in", "blocks"),
+    [(16, {"whole"}), (17, {"whole", "first", "last"}), (32, {"whole", "first", "last"}), (33, set(BLOCKS))],
+)
+def test_an_array_has_the_blocks_that_its_sums_allow(c_in, blocks):
+    array = replace(BLOCKED, partial_sum_c_in=c_in)
+    assert {case.block for case in islice(plan(array, SEED), 80)} == blocks
 
 
 def test_every_scenario_is_performed_and_every_bin_possible_on_some_array():

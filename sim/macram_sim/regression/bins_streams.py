@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from macram.spec import GROUP, RESIDUAL
 from macram_sim.regression.observation import Bin, Observation, adds_blocks, adds_residual
 from macram_sim.regression.plan import KERNELS
+from macram_sim.regression.settings import blocks_of
 from macram_sim.streams import PATTERNS
 
 
@@ -128,7 +129,6 @@ def partial_sums() -> Iterable[Bin]:
             lambda s: s.block == "whole",
         ),
         ("the first block of a layer", "sums leave, none come; codes stay in", lambda s: s.block == "first"),
-        ("a block in the middle", "sums come and leave", lambda s: s.block == "middle"),
         (
             "the last block",
             "sums come, and are requantised with the whole layer's words",
@@ -176,6 +176,10 @@ def partial_sums() -> Iterable[Bin]:
         ),
     ):
         yield Bin(name, reason, hit, adds_blocks)
+    yield Bin(
+        "a block in the middle", "sums come and leave",
+        lambda s: s.block == "middle", lambda a: "middle" in blocks_of(a),
+    )  # fmt: skip
     yield Bin(
         "a residual sum behind the last block", "both pairs of streams in one run",
         lambda s: s.residual and s.block == "last",

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from macram.spec import ArrayConfig, ConvSpec, parse_format
-from macram_sim.regression.settings import BLOCKS
+from macram_sim.regression.settings import BLOCKS, blocks_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,8 +116,8 @@ def adds_residual(array: ArrayConfig) -> bool:
 
 
 def adds_blocks(array: ArrayConfig) -> bool:
-    """Arrays with partial sums."""
-    return bool(array.partial_sum_c_in)
+    """Arrays that run layers in blocks of input channels."""
+    return "last" in blocks_of(array)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from macram.golden.cases import KINDS
 from macram.spec import GROUP, TAPS, ArrayConfig, ConvSpec, fit_together, layer_passes
-from macram_sim.regression.settings import BLOCKS, SCENARIOS, Setting
+from macram_sim.regression.settings import BLOCKS, SCENARIOS, Setting, blocks_of
 from macram_sim.streams import PATTERNS
 
 KERNELS = ((3, 1), (3, 2), (1, 1), (1, 2))
@@ -104,15 +104,12 @@ def plan(array: ArrayConfig, seed: int) -> Iterator[Case]:
     shapes = _Shapes(array, rng)
     scenarios = _deal([name for name, setting in SCENARIOS.items() if setting.possible(array)], rng)
     blocks = {
-        options: _deal([block for block in options if block in _blocks(array)], rng)
+        options: _deal([block for block in options if block in blocks_of(array)], rng)
         for options in {setting.blocks for setting in SCENARIOS.values()}
     }
-    kinds, tops, biases = (
-        _deal(KINDS, rng),
-        _deal((False, True), rng),
-        _deal((False, False, False, True), rng),
-    )
-    residuals, ends = _deal((True, True, False), rng), _deal((True, False), rng)
+    kinds, tops = _deal(KINDS, rng), _deal((False, True), rng)
+    biases, residuals = _deal((False, False, False, True), rng), _deal((True, True, False), rng)
+    ends = _deal((True, False), rng)
     traffic = _deal([(gaps, stalls) for gaps in PATTERNS for stalls in PATTERNS], rng)
     params = _deal(PATTERNS, rng)
     beside = _deal([(gaps, stalls) for gaps in PATTERNS for stalls in PATTERNS], rng)
@@ -121,7 +118,7 @@ def plan(array: ArrayConfig, seed: int) -> Iterator[Case]:
         scenario, kind = next(scenarios), next(kinds)
         setting = SCENARIOS[scenario]
         block = next(blocks[setting.blocks])
-        if array.partial_sum_c_in and kind in ("min", "max") and "last" in setting.blocks and next(ends):
+        if "last" in setting.blocks and "last" in blocks_of(array) and kind in ("min", "max") and next(ends):
             block = "last"  # where the ends of the sums' range are met
         residual = bool(array.residual_stream_bits) and not BLOCKS[block].sums_out
         residual = residual and (setting.residual or next(residuals))
@@ -151,10 +148,8 @@ class _Shapes:
             (*pair, sign) for pair in KERNELS for sign in (array.input.signed, True) if admits(array, *pair)
         ]
         self._kinds, self._edges = _deal(kinds, rng), _deal((True, False), rng)
-        self._tails, self._rows = (
-            _deal((*range(GROUP), None), rng),
-            _deal(("1", "2", "odd", "even", "any"), rng),
-        )
+        self._tails = _deal((*range(GROUP), None), rng)
+        self._rows = _deal(("1", "2", "odd", "even", "any"), rng)
         self._inputs = _deal(("one", "few", "whole", "odd blocks", "any", "most"), rng)
         self._outputs = _deal(("one", "part", "whole", "tiles", "any", "most"), rng)
         self._full = _deal([*fullest(array), *[None] * 9], rng)
@@ -244,10 +239,6 @@ def _fits(array: ArrayConfig, spec: ConvSpec, block: str, beside: bool) -> bool:
     if block == "whole" and len(parts) > 1:
         return False
     return bool(found) and not (beside and not fit_together(found[0], found[0], array))
-
-
-def _blocks(array: ArrayConfig) -> list[str]:
-    return [block for block, ends in BLOCKS.items() if array.partial_sum_c_in or not any(ends)]
 
 
 def _spec(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from macram.spec import ArrayConfig
+from macram.spec import ArrayConfig, ceil_div
 
 
 class Ends(NamedTuple):
@@ -30,6 +30,12 @@ _TAKING, _GIVING, _CODES, _ALONE = (
 )
 
 
+def blocks_of(array: ArrayConfig) -> list[str]:
+    """Kinds of run that ``array`` has room for."""
+    runs = ceil_div(array.partial_sum_c_in, array.max_c_in)
+    return ["whole", *(["first", "last"] if runs > 1 else []), *(["middle"] if runs > 2 else [])]
+
+
 @dataclass(frozen=True, slots=True)
 class Setting:
     """What a scenario needs.
@@ -48,9 +54,8 @@ class Setting:
 
     def possible(self, array: ArrayConfig) -> bool:
         """Whether ``array`` has such runs."""
-        return bool("whole" in self.blocks or array.partial_sum_c_in) and bool(
-            array.residual_stream_bits or not self.residual
-        )
+        runs = any(block in self.blocks for block in blocks_of(array))
+        return runs and (not self.residual or bool(array.residual_stream_bits))
 
 
 _ANY, _LARGER = Setting(), Setting(larger=True)
