@@ -53,6 +53,7 @@ def test_a_short_run_meets_every_bin(toolchain, array):
     table = result.to_dict()
     assert table["bins"] == table["bins_met"] == len(result.coverage.hits)
     assert set(result.coverage.hits) | set(result.coverage.impossible) == {b.name for b in BINS}
+    assert table["cpu_seconds"] > 0
     assert counts == sorted(counts)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import resource
 import shutil
 import tempfile
 import threading
@@ -32,6 +33,7 @@ class Regression:
         seen: what each case met.
         coverage: the score.
         seconds: wall time of the simulations, builds left out.
+        cpu_seconds: their processor time, which a busy machine does not change.
     """
 
     arrays: tuple[ArrayConfig, ...]
@@ -39,6 +41,7 @@ class Regression:
     seen: tuple[Observation, ...]
     coverage: Score
     seconds: float
+    cpu_seconds: float
 
     @property
     def cycles(self) -> int:
@@ -55,6 +58,7 @@ class Regression:
             "images": sum(len(seen.counters) for seen in self.seen),
             "cycles": self.cycles,
             "seconds": round(self.seconds, 2),
+            "cpu_seconds": round(self.cpu_seconds, 2),
             "bins": len(self.coverage.hits),
             "bins_met": len(self.coverage.hits) - len(self.coverage.missed),
             "missed": self.coverage.missed,
@@ -87,7 +91,7 @@ def regress(
     """
     indices = choose_cases(seed, cases, only)
     seen: list[Observation] = []
-    seconds = 0.0
+    seconds = cpu_seconds = 0.0
     for array in arrays:
         model = build_array(array)
         (build_root() / "jobs").mkdir(parents=True, exist_ok=True)
@@ -95,6 +99,7 @@ def regress(
         job = {"array": array.to_dict(), "seed": seed, "indices": indices}
         (folder / "job.json").write_text(json.dumps(job))
         lines = folder / "seen.jsonl"
+        before = _children_seconds()
         with _Following(lines, len(seen), progress):
             done = run(
                 model,
@@ -105,9 +110,16 @@ def regress(
                 rerun=_replay(array, seed, cases, only),
             )
         seconds += done.seconds
+        cpu_seconds += _children_seconds() - before
         seen += [Observation.from_dict(array, json.loads(line)) for line in lines.read_text().splitlines()]
         shutil.rmtree(folder, ignore_errors=True)
-    return Regression(tuple(arrays), seed, tuple(seen), score(arrays, seen), seconds)
+    return Regression(tuple(arrays), seed, tuple(seen), score(arrays, seen), seconds, cpu_seconds)
+
+
+def _children_seconds() -> float:
+    """Processor time of this process's children that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def choose_cases(seed: int, cases: int = CASES, only: int | None = None) -> list[int]:
