@@ -1,7 +1,7 @@
 """The cocotb bench of the constrained-random regression: one simulation, many cases.
 
 The folder named by ``MACRAM_JOB`` holds ``job.json`` (array, seed, indices of the cases); the bench appends one line
-per finished case to ``seen.jsonl``: what `macram_sim.coverage` judges.
+per finished case to ``seen.jsonl``: what `macram_sim.regression.coverage` judges.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from cocotb.triggers import SimTimeoutError, with_timeout
 
 from macram.spec import ArrayConfig
 from macram_sim.clocks import PERIOD_NS, start_clocks
-from macram_sim.regression_case import CaseBench
-from macram_sim.regression_plan import Case, plan
-from macram_sim.regression_scenarios import perform
+from macram_sim.regression.case import CaseBench
+from macram_sim.regression.plan import Case, plan
+from macram_sim.regression.scenarios import perform
 
 CASE_CYCLES = 400_000
 """No case is near this long; one that gets here hangs."""

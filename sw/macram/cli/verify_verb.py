@@ -16,7 +16,7 @@ SEED = 2022
 
 EPILOG = """\
 examples:
-  macram verify regression                        60 random cases on each of five small arrays, scored
+  macram verify regression                        60 random cases on each of eight small arrays, scored
   macram verify regression --cases 1000 --seed 7  a long run
   macram verify regression --seed 7 --only 66     the case that failed, alone
   macram verify formal                            every proof, and that broken gateware fails it
@@ -40,12 +40,13 @@ def add_verify(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) ->
         "regression",
         help="random layers, traffic, faults and resets on small arrays; exact codes after each; coverage bins",
     )
-    regression.add_argument("--cases", type=int, default=60, help="cases per array (default: 60)")
+    regression.add_argument("--cases", type=int, default=60, help="cases per array, at least 1 (default: 60)")
     regression.add_argument(
         "--only", type=int, metavar="CASE", help="run this case alone, as a failure names it"
     )
     regression.add_argument(
-        "--array", help="only the small array of this name: portable, dsp48e2, 8-bit, signed"
+        "--array",
+        help="only the small array of this name: portable, dsp48e2, 8-bit, signed, triples, residual, partial, soft",
     )
     regression.add_argument("--config", type=Path, metavar="CONFIG.toml", help="another array instead")
     _common(regression, "build/regression")
@@ -99,11 +100,11 @@ def _regression(arguments: argparse.Namespace) -> int:
 
     from macram.cli.console import open_console  # noqa: PLC0415
     from macram.report.files import write_json  # noqa: PLC0415
-    from macram_sim.regression import regress  # noqa: PLC0415
+    from macram_sim.regression import choose_cases, regress  # noqa: PLC0415
 
     arrays = _arrays(arguments)
     console = open_console()
-    total = len(arrays) * (arguments.cases if arguments.only is None else 1)
+    total = len(arrays) * len(choose_cases(arguments.seed, arguments.cases, arguments.only))
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console) as bar:
         task = bar.add_task("cases", total=total)

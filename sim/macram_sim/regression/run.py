@@ -3,46 +3,25 @@
 from __future__ import annotations
 
 import json
+import resource
 import shutil
 import tempfile
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from macram.spec import ArrayConfig, IntFormat
+from macram.spec import ArrayConfig
 from macram_sim.array import build_array
-from macram_sim.coverage import Observation, Score, score
 from macram_sim.folders import build_root
+from macram_sim.regression.arrays import ARRAYS
+from macram_sim.regression.coverage import Score, score
+from macram_sim.regression.observation import Observation
 from macram_sim.runner import run
 
 CASES = 60
 """Default number of cases per array."""
-_SMALL = ArrayConfig(
-    name="portable",
-    units=8,
-    rows=2,
-    max_c_in=16,
-    max_c_out=32,
-    weight_depth=64,
-    row_words=32,
-    stream_bits=32,
-    drain=2,
-)
-ARRAYS = (
-    _SMALL,
-    replace(_SMALL, name="dsp48e2", engine="dsp48e2"),
-    replace(
-        _SMALL, name="8-bit", weight=IntFormat(8, signed=True), input=IntFormat(8), output=IntFormat(8), stream_bits=64
-    ),
-    replace(
-        _SMALL, name="signed", weight=IntFormat(4, signed=True), input=IntFormat(3, signed=True),
-        output=IntFormat(4, signed=True), rows=4, drain=1, ingest=1,
-    ),
-    replace(_SMALL, name="triples", rows=1, max_c_in=32, row_words=128, weight_depth=120),
-)  # fmt: skip
-"""Small arrays that differ in what has its own logic: engines, requantisers, signs, banks, drain, tiles in threes."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +33,7 @@ class Regression:
         seen: what each case met.
         coverage: the score.
         seconds: wall time of the simulations, builds left out.
+        cpu_seconds: their processor time, which a busy machine does not change.
     """
 
     arrays: tuple[ArrayConfig, ...]
@@ -61,6 +41,7 @@ class Regression:
     seen: tuple[Observation, ...]
     coverage: Score
     seconds: float
+    cpu_seconds: float
 
     @property
     def cycles(self) -> int:
@@ -77,6 +58,7 @@ class Regression:
             "images": sum(len(seen.counters) for seen in self.seen),
             "cycles": self.cycles,
             "seconds": round(self.seconds, 2),
+            "cpu_seconds": round(self.cpu_seconds, 2),
             "bins": len(self.coverage.hits),
             "bins_met": len(self.coverage.hits) - len(self.coverage.missed),
             "missed": self.coverage.missed,
@@ -107,13 +89,9 @@ def regress(
         SimulationError: a case failed; the message names it and the line that replays it.
         ToolError: a tool is missing.
     """
-    if cases < 1:
-        raise ValueError(f"cases must be at least 1, not {cases}")
-    if only is not None and only < 0:
-        raise ValueError(f"the case to run must be 0 or more, not {only}")
-    indices = list(range(cases)) if only is None else [only]
+    indices = choose_cases(seed, cases, only)
     seen: list[Observation] = []
-    seconds = 0.0
+    seconds = cpu_seconds = 0.0
     for array in arrays:
         model = build_array(array)
         (build_root() / "jobs").mkdir(parents=True, exist_ok=True)
@@ -121,6 +99,7 @@ def regress(
         job = {"array": array.to_dict(), "seed": seed, "indices": indices}
         (folder / "job.json").write_text(json.dumps(job))
         lines = folder / "seen.jsonl"
+        before = _children_seconds()
         with _Following(lines, len(seen), progress):
             done = run(
                 model,
@@ -128,16 +107,40 @@ def regress(
                 folder / "run",
                 seed=seed,
                 env={"MACRAM_JOB": str(folder)},
-                rerun=_replay(seed, cases, only),
+                rerun=_replay(array, seed, cases, only),
             )
         seconds += done.seconds
+        cpu_seconds += _children_seconds() - before
         seen += [Observation.from_dict(array, json.loads(line)) for line in lines.read_text().splitlines()]
         shutil.rmtree(folder, ignore_errors=True)
-    return Regression(tuple(arrays), seed, tuple(seen), score(arrays, seen), seconds)
+    return Regression(tuple(arrays), seed, tuple(seen), score(arrays, seen), seconds, cpu_seconds)
 
 
-def _replay(seed: int, cases: int, only: int | None) -> str:
-    line = f"macram verify regression --seed {seed}"
+def _children_seconds() -> float:
+    """Processor time of this process's children that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def choose_cases(seed: int, cases: int = CASES, only: int | None = None) -> list[int]:
+    """Indices of the cases that `regress` runs on each array.
+
+    Raises:
+        ValueError: an argument is out of range.
+    """
+    if seed < 0:
+        raise ValueError(f"the seed must be at least 0, not {seed}")
+    if cases < 1:
+        raise ValueError(f"cases must be at least 1, not {cases}")
+    if only is not None and only < 0:
+        raise ValueError(f"the case to run must be at least 0, not {only}")
+    return list(range(cases)) if only is None else [only]
+
+
+def _replay(array: ArrayConfig, seed: int, cases: int, only: int | None) -> str:
+    line = (
+        "macram verify regression " + (f"--array {array.name} " if array in ARRAYS else "") + f"--seed {seed}"
+    )
     return (
         f"{line} --only {only}"
         if only is not None
@@ -167,6 +170,3 @@ class _Following:
         while not self._ended.wait(0.5):
             if self._path.is_file():
                 self._report(self._before + self._path.read_text().count("\n"))
-
-
-__all__ = ["ARRAYS", "CASES", "Regression", "regress"]
