@@ -32,6 +32,8 @@ LOADS = ArrayConfig()
 """The reference array: words of 2 and of 11 beats, the last of which are not full."""
 WATCHED_LOAD = 1024
 """Bits of the signals inside a loader that a harness sees: as many as the widest has, or more."""
+DSP_BITS = 48
+"""Bits of a DSP slice's result."""
 SUMS = replace(SMALL, name="sums", partial_sum_c_in=4096, stream_bits=64)
 """Words of partial sums whose fields are wider than the sums and fill two beats but in part."""
 ABSTRACT = """
@@ -150,6 +152,13 @@ def _watch(text: str, inside: dict[str, str], shape: str) -> str:
     return f"{before}module {DUT}({ports}{module}{wires}endmodule{after}"
 
 
+def _connected(text: str, instance: str, port: str) -> str:
+    """What lies at a port of an instance."""
+    (ports,) = re.findall(rf"\s{instance} \(([^;]*)\);", text)
+    (signal,) = re.findall(rf"\.{port}\(([^)]*)\)", ports)
+    return str(signal)
+
+
 def _unit() -> dict[str, str]:
     """A unit whose lanes, lane sums, accumulators and carries are ports too; its carry memories hold anything."""
     from macram_hw.engine import lane_shape  # noqa: PLC0415
@@ -162,20 +171,15 @@ def _unit() -> dict[str, str]:
         terms = sorted(set(re.findall(rf"reg .*\b(sum{k}_\d+) =", module)))
         inside[f"sum{k}"] = " + ".join(f"$signed({term})" for term in terms)
 
-    def connected(instance: str, port: str) -> str:
-        (ports,) = re.findall(rf"\s{instance} \(([^;]*)\);", module)
-        (signal,) = re.findall(rf"\.{port}\(([^)]*)\)", ports)
-        return str(signal)
-
     width = lane_shape(UNIT).width
     for row in range(UNIT.rows):
-        lanes = connected(f"engine{row}", "lanes")
+        lanes = _connected(module, f"engine{row}", "lanes")
         inside |= {
             f"engine{row}_{k}": f"$signed({lanes}[{(k + 1) * width - 1}:{k * width}])" for k in range(LANES)
         }
     for k in CARRIES:
-        inside[f"read{k}"] = f"$signed({connected(f'carry{k}', 'read_data')})"
-        inside[f"write{k}"] = f"$signed({connected(f'carry{k}', 'write_data')})"
+        inside[f"read{k}"] = f"$signed({_connected(module, f'carry{k}', 'read_data')})"
+        inside[f"write{k}"] = f"$signed({_connected(module, f'carry{k}', 'write_data')})"
     texts["dut.v"] = _watch(texts["dut.v"], inside, f"signed [{WATCHED - 1}:0]")
     return texts | {"carries.v": CARRY_MEMORY}
 
@@ -196,6 +200,17 @@ def _engine(kind: str, *models: str) -> dict[str, str]:
     return _component(lambda: make_engine(kind, ArrayConfig(engine=kind)), *models)
 
 
+def _dsp_engine() -> dict[str, str]:
+    """A DSP engine whose slice gives anything; its operands and what it gives are ports too."""
+    texts = _engine("dsp48e2")
+    inside = {port: f"$signed({_connected(texts['dut.v'], 'dsp', port)})" for port in "ABDP"}
+    result = _connected(texts["dut.v"], "dsp", "P")
+    anything = f"(* anyseq *) wire [{DSP_BITS - 1}:0] any; assign {result} = any;\n"
+    text, slices = re.subn(r"DSP48E2 #\([^;]*\);\n", anything, texts["dut.v"])
+    assert slices == 1
+    return {"dut.v": _watch(text, inside, f"signed [{DSP_BITS - 1}:0]")}
+
+
 DESIGNS: dict[str, Callable[[], dict[str, str]]] = {
     "ingest gearbox": _ingest,
     "emit gearbox": _emit,
@@ -208,6 +223,7 @@ DESIGNS: dict[str, Callable[[], dict[str, str]]] = {
     "unit": _unit,
     "loader": _loader,
     "engine portable": lambda: _engine("portable"),
+    "engine dsp48e2": _dsp_engine,
     "engine soft": lambda: _engine("soft", "macram_add3.v", "macram_product.v"),
 }
 """Name -> files of the exported design, the module `DUT` and what it instantiates."""
