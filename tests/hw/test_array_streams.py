@@ -200,7 +200,9 @@ def test_faults_and_a_reset():
             await put(ctx, core.i, beats)
             await ctx.tick().repeat(2)
             assert ctx.get(core.error) == code
-            assert ctx.get(core.busy)
+            # A command that is refused leaves the first error, and the run.
+            await bench.command(ctx, Control.START)
+            assert (ctx.get(core.busy), ctx.get(core.error)) == (1, code)
             ctx.set(bench.reset, 1)
             await ctx.tick()
             ctx.set(bench.reset, 0)
