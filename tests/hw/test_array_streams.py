@@ -125,11 +125,15 @@ def test_two_images_after_a_load(name, shape, gap, stall):
 
 @pytest.mark.parametrize("gap", [0.0, 0.8])
 @pytest.mark.parametrize(
-    ("kernel", "stride", "height"), [(1, 1, 3), (1, 2, 5), (1, 2, 6), (3, 2, 5), (3, 2, 6)]
+    ("kernel", "stride", "height", "width"),
+    [(1, 1, 3, 7), (1, 2, 5, 7), (1, 2, 6, 7), (3, 2, 5, 7), (3, 2, 6, 6)],
 )
-def test_other_kernels_and_strides(kernel, stride, height, gap):
-    """Few output channels and a slow source: a row that is read before it is there gives wrong codes."""
-    run_two_images(ARRAYS["wide"], (2, 2, height, 7, kernel, stride, kernel // 2), gap, 0.0)
+def test_other_kernels_and_strides(kernel, stride, height, width, gap):
+    """Few output channels and a slow source: a row that is read before it is there gives wrong codes.
+
+    Of two pixels that stride 2 takes together the second is missing at the end of an odd width alone.
+    """
+    run_two_images(ARRAYS["wide"], (2, 2, height, width, kernel, stride, kernel // 2), gap, 0.0)
 
 
 def run_two_images(array, shape, gap, stall, kind="uniform"):
@@ -196,7 +200,9 @@ def test_faults_and_a_reset():
             await put(ctx, core.i, beats)
             await ctx.tick().repeat(2)
             assert ctx.get(core.error) == code
-            assert ctx.get(core.busy)
+            # A command that is refused leaves the first error, and the run.
+            await bench.command(ctx, Control.START)
+            assert (ctx.get(core.busy), ctx.get(core.error)) == (1, code)
             ctx.set(bench.reset, 1)
             await ctx.tick()
             ctx.set(bench.reset, 0)

@@ -270,6 +270,33 @@ def test_a_layer_in_blocks(spec, kind, gap, stall):
             assert counters["cycles"] == closed.total
 
 
+@pytest.mark.parametrize(
+    ("sums_in", "first", "second", "error", "state"),
+    [
+        (False, Control.START, Control.LOAD_WEIGHTS, Error.NONE, (1, 1)),
+        (True, Control.START, Control.LOAD_WEIGHTS, Error.BAD_COMMAND, (1, 0)),
+        (False, Control.LOAD_WEIGHTS, Control.START, Error.NONE, (1, 1)),
+        (True, Control.LOAD_WEIGHTS, Control.START, Error.BAD_RANGE, (0, 1)),
+        (False, Control.LOAD_WEIGHTS, Control.LOAD_REQUANT, Error.BAD_COMMAND, (0, 1)),
+    ],
+)
+def test_the_parameter_stream_serves_one_at_a_time(sums_in, first, second, error, state):
+    """A load, or a run that starts from sums; what comes second is refused and the first goes on."""
+    bench = Bench(random_case(ConvSpec(5, 4, 3, 4), SEED), ARRAY, 0.0, 0.0)
+    packed = next(packed for packed in bench.passes if packed.sums_in == sums_in)
+    # A word that the layer does not use.
+    word = {"words": 1, "param_base": ARRAY.weight_depth - 1}
+
+    async def control(ctx):
+        await bench.command(ctx, packed, first, **word)
+        assert ctx.get(bench.core.error) == Error.NONE
+        await bench.command(ctx, packed, second, **word)
+        assert ctx.get(bench.core.error) == error
+        assert (ctx.get(bench.core.busy), ctx.get(bench.core.loading)) == state
+
+    simulate(bench.dut, control)
+
+
 def test_partial_sums_are_those_of_the_channels_so_far():
     spec = ConvSpec(13, 3, 4, 4)
     case = random_case(spec, SEED, "extremes")

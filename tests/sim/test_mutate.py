@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 import macram_hw
-from macram_sim import mutate
+from macram_sim import mutant_checks, mutate
+from macram_sim.mutant_checks import MutantChecks
 from macram_sim.mutate import MutationRun, run_mutants
 from macram_sim.mutation_points import mutations
 
@@ -57,7 +58,7 @@ def test_every_mutation_is_one_change_that_still_parses():
 def test_the_gateware_has_mutations_in_every_module():
     root = Path(macram_hw.__file__).parent
     for path in root.glob("*.py"):
-        if path.name not in mutate.NOT_GATEWARE:
+        if path.name not in mutant_checks.NOT_GATEWARE:
             assert mutations(path.name, path.read_text()), path.name
 
 
@@ -69,7 +70,7 @@ def faked(monkeypatch):
     def fake(self, name, command):
         log.append(name)
         changed = next(
-            (f for f, text in self._sources.items() if (self._tree / "hw/macram_hw" / f).read_text() != text),
+            (f for f, text in self.sources.items() if self.path(f).read_text() != text),
             "",
         )
         verdicts = {
@@ -83,7 +84,7 @@ def faked(monkeypatch):
         )
         return subprocess.CompletedProcess(command, int(verdicts[name]), output, "")
 
-    monkeypatch.setattr(MutationRun, "_run", fake)
+    monkeypatch.setattr(MutantChecks, "_run", fake)
     return log
 
 
@@ -125,7 +126,7 @@ def test_a_quick_run_leaves_its_survivors_to_a_later_one(faked, tmp_path):
 
 
 def test_a_mutant_that_changes_no_array_does_not_count(faked, tmp_path, monkeypatch):
-    monkeypatch.setattr(MutationRun, "_fingerprints", lambda self, known: {"portable": "same"})
+    monkeypatch.setattr(MutantChecks, "fingerprints", lambda self, known: {"portable": "same"})
     table = run_mutants(tmp_path, seed=1, count=3, keep=lambda *_: None)
     assert table["judged"] == 0
     assert table["no_mutants"] == table["tried"] > 1000
@@ -151,9 +152,9 @@ def test_checks_that_fail_on_sound_gateware_are_no_measure(tmp_path, monkeypatch
             command, int(name != "elaborate"), json.dumps({"portable": str(len(command))}), ""
         )
 
-    monkeypatch.setattr(MutationRun, "_run", fake)
+    monkeypatch.setattr(MutantChecks, "_run", fake)
     monkeypatch.setattr(
-        MutationRun, "_fingerprints", lambda self, known: {"portable": "new" if known else "old"}
+        MutantChecks, "fingerprints", lambda self, known: {"portable": "new" if known else "old"}
     )
     with pytest.raises(RuntimeError, match="the unit tests fail on the unchanged gateware"):
         run_mutants(tmp_path, seed=1, count=1, keep=lambda *_: None)

@@ -9,8 +9,17 @@ from macram_sim.formal.gearboxes import GEARBOXES
 from macram_sim.formal.images import IMAGES
 from macram_sim.formal.loads import LOADING
 from macram_sim.formal.proof import Break, Proof, ProofVerdict, prove
+from macram_sim.formal.sums import PARTIAL_SUMS
 
-PROOFS: tuple[Proof, ...] = (*GEARBOXES, *IMAGES, *LOADING, *CONTROL, *ARITHMETIC, *ACCUMULATORS)
+PROOFS: tuple[Proof, ...] = (
+    *GEARBOXES,
+    *IMAGES,
+    *PARTIAL_SUMS,
+    *LOADING,
+    *CONTROL,
+    *ARITHMETIC,
+    *ACCUMULATORS,
+)
 """Every proof."""
 
 __all__ = ["PROOFS", "Break", "Proof", "ProofVerdict", "prove"]

@@ -28,10 +28,14 @@ WATCHED = UNIT.accumulator.bits + 4
 """Bits of the signals inside a unit that a harness sees: more than their sums need."""
 CARRIES = range(LANES - GROUP)
 """Lanes that start from what the group before left."""
-LOADS = replace(
-    SMALL, name="loads", rows=4, weight=IntFormat(3, signed=True), input=IntFormat(3), output=IntFormat(3)
-)
-"""Loads of words of two and of three beats, the last of which is not full."""
+LOADS = ArrayConfig()
+"""The reference array: words of 2 and of 11 beats, the last of which are not full."""
+WATCHED_LOAD = 1024
+"""Bits of the signals inside a loader that a harness sees: as many as the widest has, or more."""
+DSP_BITS = 48
+"""Bits of a DSP slice's result."""
+SUMS = replace(SMALL, name="sums", partial_sum_c_in=4096, stream_bits=64)
+"""Words of partial sums whose fields are wider than the sums and fill two beats but in part."""
 ABSTRACT = """
 // Memories and units with any contents: what holds with them holds whatever is stored and computed.
 module macram_ram #(parameter WIDTH = 1, DEPTH = 1, ADDR_BITS = 1, LANES = 1, INIT_FILE = "") (
@@ -103,14 +107,14 @@ def _registers() -> dict[str, str]:
     return _component(AxiLiteRegisters)
 
 
-def _abstract() -> dict[str, str]:
+def _abstract(config: ArrayConfig) -> dict[str, str]:
     from macram_hw.unit import AccumulateControl  # noqa: PLC0415
 
     widths = {
-        "control": AccumulateControl(SMALL).size,
-        "weight": SMALL.weight_word_bits,
-        "activations": SMALL.line_word_bits,
-        "chain": GROUP * SMALL.accumulator.bits,
+        "control": AccumulateControl(config).size,
+        "weight": config.weight_word_bits,
+        "activations": config.line_word_bits,
+        "chain": GROUP * config.accumulator.bits,
     }
     text = ABSTRACT
     for name, width in widths.items():
@@ -118,16 +122,41 @@ def _abstract() -> dict[str, str]:
     return {"abstract.v": text}
 
 
-def _drain() -> dict[str, str]:
+def _drain(config: ArrayConfig) -> dict[str, str]:
     from macram_hw.drain import Drain  # noqa: PLC0415
 
-    return _component(lambda: Drain(SMALL)) | _abstract()
+    return _component(lambda: Drain(config)) | _abstract(config)
+
+
+def _partial() -> dict[str, str]:
+    from macram_hw.partial import PartialSums  # noqa: PLC0415
+
+    return _component(lambda: PartialSums(SUMS))
 
 
 def _array() -> dict[str, str]:
     from macram_hw.array import Array  # noqa: PLC0415
 
-    return _component(lambda: Array(SMALL)) | _abstract()
+    return _component(lambda: Array(SMALL)) | _abstract(SMALL)
+
+
+def _watch(text: str, inside: dict[str, str], shape: str) -> str:
+    """The module `DUT` with an output ``watched_NAME`` for each value inside it."""
+    before, module = text.split(f"module {DUT}(")
+    module, after = module.split("endmodule", 1)
+    ports = "".join(f"watched_{name}, " for name in inside)
+    wires = "".join(
+        f"  output {shape} watched_{name}; assign watched_{name} = {value};\n"
+        for name, value in inside.items()
+    )
+    return f"{before}module {DUT}({ports}{module}{wires}endmodule{after}"
+
+
+def _connected(text: str, instance: str, port: str) -> str:
+    """What lies at a port of an instance."""
+    (ports,) = re.findall(rf"\s{instance} \(([^;]*)\);", text)
+    (signal,) = re.findall(rf"\.{port}\(([^)]*)\)", ports)
+    return str(signal)
 
 
 def _unit() -> dict[str, str]:
@@ -136,40 +165,33 @@ def _unit() -> dict[str, str]:
     from macram_hw.unit import UnitCore  # noqa: PLC0415
 
     texts = _component(lambda: UnitCore(UNIT), "macram_add3.v")
-    before, module = texts["dut.v"].split(f"module {DUT}(")
-    module, after = module.split("endmodule", 1)
+    module = texts["dut.v"].split(f"module {DUT}(")[1].split("endmodule")[0]
     inside = {f"acc{k}": f"$signed(acc{k})" for k in range(LANES)}
     for k in range(LANES):
         terms = sorted(set(re.findall(rf"reg .*\b(sum{k}_\d+) =", module)))
         inside[f"sum{k}"] = " + ".join(f"$signed({term})" for term in terms)
 
-    def connected(instance: str, port: str) -> str:
-        (ports,) = re.findall(rf"\s{instance} \(([^;]*)\);", module)
-        (signal,) = re.findall(rf"\.{port}\(([^)]*)\)", ports)
-        return str(signal)
-
     width = lane_shape(UNIT).width
     for row in range(UNIT.rows):
-        lanes = connected(f"engine{row}", "lanes")
+        lanes = _connected(module, f"engine{row}", "lanes")
         inside |= {
             f"engine{row}_{k}": f"$signed({lanes}[{(k + 1) * width - 1}:{k * width}])" for k in range(LANES)
         }
     for k in CARRIES:
-        inside[f"read{k}"] = f"$signed({connected(f'carry{k}', 'read_data')})"
-        inside[f"write{k}"] = f"$signed({connected(f'carry{k}', 'write_data')})"
-    ports = "".join(f"watched_{name}, " for name in inside)
-    wires = "".join(
-        f"  output signed [{WATCHED - 1}:0] watched_{name}; assign watched_{name} = {value};\n"
-        for name, value in inside.items()
-    )
-    texts["dut.v"] = f"{before}module {DUT}({ports}{module}{wires}endmodule{after}"
+        inside[f"read{k}"] = f"$signed({_connected(module, f'carry{k}', 'read_data')})"
+        inside[f"write{k}"] = f"$signed({_connected(module, f'carry{k}', 'write_data')})"
+    texts["dut.v"] = _watch(texts["dut.v"], inside, f"signed [{WATCHED - 1}:0]")
     return texts | {"carries.v": CARRY_MEMORY}
 
 
 def _loader() -> dict[str, str]:
+    """A loader whose place in the load is a port too."""
     from macram_hw.loader import Loader  # noqa: PLC0415
 
-    return _component(lambda: Loader(LOADS))
+    texts = _component(lambda: Loader(LOADS))
+    inside = {name: name for name in ("shifter", "beat_index", "word_index", "unit")}
+    texts["dut.v"] = _watch(texts["dut.v"], inside, f"[{WATCHED_LOAD - 1}:0]")
+    return texts
 
 
 def _engine(kind: str, *models: str) -> dict[str, str]:
@@ -178,16 +200,30 @@ def _engine(kind: str, *models: str) -> dict[str, str]:
     return _component(lambda: make_engine(kind, ArrayConfig(engine=kind)), *models)
 
 
+def _dsp_engine() -> dict[str, str]:
+    """A DSP engine whose slice gives anything; its operands and what it gives are ports too."""
+    texts = _engine("dsp48e2")
+    inside = {port: f"$signed({_connected(texts['dut.v'], 'dsp', port)})" for port in "ABDP"}
+    result = _connected(texts["dut.v"], "dsp", "P")
+    anything = f"(* anyseq *) wire [{DSP_BITS - 1}:0] any; assign {result} = any;\n"
+    text, slices = re.subn(r"DSP48E2 #\([^;]*\);\n", anything, texts["dut.v"])
+    assert slices == 1
+    return {"dut.v": _watch(text, inside, f"signed [{DSP_BITS - 1}:0]")}
+
+
 DESIGNS: dict[str, Callable[[], dict[str, str]]] = {
     "ingest gearbox": _ingest,
     "emit gearbox": _emit,
     "frame check": _frame,
     "registers": _registers,
-    "drain": _drain,
+    "drain": lambda: _drain(SMALL),
+    "drain of partial sums": lambda: _drain(SUMS),
+    "partial sums": _partial,
     "array": _array,
     "unit": _unit,
     "loader": _loader,
     "engine portable": lambda: _engine("portable"),
+    "engine dsp48e2": _dsp_engine,
     "engine soft": lambda: _engine("soft", "macram_add3.v", "macram_product.v"),
 }
 """Name -> files of the exported design, the module `DUT` and what it instantiates."""

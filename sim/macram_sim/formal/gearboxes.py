@@ -6,20 +6,20 @@ from macram_sim.formal.designs import BEAT, WORD
 from macram_sim.formal.harness import OPENING, stable_stream
 from macram_sim.formal.proof import Break, Proof
 
-_INGEST_PORTS = """
+_INGEST_PORTS = f"""
     (* anyconst *) reg [15:0] beats; (* anyconst *) reg [15:0] words;
-    (* anyseq *) wire [{beat}:0] data; (* anyseq *) wire in_valid; (* anyseq *) wire out_ready;
-    wire in_ready, out_valid; wire [{word}:0] word;
-    dut dut(.clk(clk), .rst(rst), .beats_per_pixel(beats), .words_per_pixel(words), .i__payload(data),
+    (* anyseq *) wire [{BEAT - 1}:0] beat; (* anyseq *) wire in_valid; (* anyseq *) wire out_ready;
+    wire in_ready, out_valid; wire [{WORD - 1}:0] word;
+    dut dut(.clk(clk), .rst(rst), .beats_per_pixel(beats), .words_per_pixel(words), .i__payload(beat),
         .i__valid(in_valid), .i__ready(in_ready), .o__payload(word), .o__valid(out_valid), .o__ready(out_ready));
 """
-_EMIT_PORTS = """
+_EMIT_PORTS = f"""
     (* anyconst *) reg [15:0] beats; (* anyconst *) reg [15:0] words;
-    (* anyseq *) wire [{word}:0] word; (* anyseq *) wire in_valid; (* anyseq *) wire out_ready;
+    (* anyseq *) wire [{WORD - 1}:0] word; (* anyseq *) wire in_valid; (* anyseq *) wire out_ready;
     (* anyseq *) wire last;
-    wire in_ready, out_valid; wire [{beat}:0] data; wire tlast; wire pixel_last;
+    wire in_ready, out_valid; wire [{BEAT - 1}:0] beat; wire tlast; wire pixel_last;
     dut dut(.clk(clk), .rst(rst), .beats_per_pixel(beats), .i__payload({{last, pixel_last, word}}),
-        .i__valid(in_valid), .i__ready(in_ready), .o__payload({{tlast, data}}), .o__valid(out_valid),
+        .i__valid(in_valid), .i__ready(in_ready), .o__payload({{tlast, beat}}), .o__valid(out_valid),
         .o__ready(out_ready));
 """
 _LIMITS = f"""
@@ -39,42 +39,25 @@ _TAG = f"""
 """
 
 
-def _ingest_stable() -> str:
-    ports = _INGEST_PORTS.format(beat=BEAT - 1, word=WORD - 1)
-    return OPENING + ports + stable_stream("out_valid", "out_ready", "word") + "endmodule\n"
-
-
-def _emit_stable() -> str:
-    ports = _EMIT_PORTS.format(beat=BEAT - 1, word=WORD - 1)
-    free = "(* anyseq *) wire any_pixel_last; assign pixel_last = any_pixel_last;\n"
-    return OPENING + ports + free + stable_stream("out_valid", "out_ready", "data") + "endmodule\n"
-
-
-def _ingest_order() -> str:
-    ports = _INGEST_PORTS.format(beat=BEAT - 1, word=WORD - 1)
-    return (
-        OPENING
-        + ports
-        + _LIMITS
-        + _TAG
-        + """
-    always @* assume (tag_word < words);
+_ORDER = """
+    always @* assume (tag_{given} < {given}s);
+    wire in_last = in_at + 1 == {taken}s, out_last = out_at + 1 == {given}s;
     always @(posedge clk) if (!rst) begin
         if (in_valid && in_ready) begin
-            in_at <= in_at + 1 == beats ? 0 : in_at + 1;
-            in_pixel <= in_pixel + (in_at + 1 == beats);
-            if (in_pixel == tag_pixel && in_at == tag_beat) begin seen <= 1; bit_in <= data[beat_bit]; end
+            in_at <= in_last ? 0 : in_at + 1;
+            in_pixel <= in_pixel + in_last;
+            if (in_pixel == tag_pixel && in_at == tag_{taken}) begin seen <= 1; bit_in <= {taken}[{taken}_bit]; end
         end
         if (out_valid && out_ready) begin
-            out_at <= out_at + 1 == words ? 0 : out_at + 1;
-            out_pixel <= out_pixel + (out_at + 1 == words);
-            if (out_pixel == tag_pixel && out_at == tag_word) begin
-                if (tag_beat < beats) begin
+            out_at <= out_last ? 0 : out_at + 1;
+            out_pixel <= out_pixel + out_last;
+            if (out_pixel == tag_pixel && out_at == tag_{given}) begin
+                if (tag_{taken} < {taken}s) begin
                     assert (seen);
-                    assert (word[word_bit] == bit_in);
+                    assert ({given}[{given}_bit] == bit_in);
                 end else begin
                     assert (in_pixel > tag_pixel);
-                    assert (!word[word_bit]);
+                    assert (!{given}[{given}_bit]);
                 end
             end
         end
@@ -82,54 +65,41 @@ def _ingest_order() -> str:
         assert (in_pixel == out_pixel || out_valid);
         assert (in_pixel <= out_pixel + 1);
     end
-endmodule
 """
+_TLAST = """
+    assign pixel_last = in_last;
+    reg tag_last, stalled = 0, was_last;
+    always @(posedge clk) if (!rst) begin
+        stalled <= out_valid && !out_ready; was_last <= tlast;
+        if (stalled) assert (tlast == was_last);
+        if (in_valid && in_ready && in_pixel == tag_pixel && pixel_last) tag_last <= last;
+        // TLAST on the last beat of a pixel that is the image's last, and nowhere else.
+        if (out_valid && out_ready) begin
+            if (!out_last) assert (!tlast);
+            else if (out_pixel == tag_pixel) assert (tlast == tag_last);
+        end
+    end
+"""
+
+
+def _ingest_stable() -> str:
+    return OPENING + _INGEST_PORTS + stable_stream("out_valid", "out_ready", "word") + "endmodule\n"
+
+
+def _emit_stable() -> str:
+    free = "(* anyseq *) wire any_pixel_last; assign pixel_last = any_pixel_last;\n"
+    return OPENING + _EMIT_PORTS + free + stable_stream("out_valid", "out_ready", "beat") + "endmodule\n"
+
+
+def _ingest_order() -> str:
+    return (
+        OPENING + _INGEST_PORTS + _LIMITS + _TAG + _ORDER.format(taken="beat", given="word") + "endmodule\n"
     )
 
 
 def _emit_order() -> str:
-    ports = _EMIT_PORTS.format(beat=BEAT - 1, word=WORD - 1)
-    return (
-        OPENING
-        + ports
-        + _LIMITS
-        + _TAG
-        + """
-    always @* assume (tag_beat < beats);
-    assign pixel_last = in_at + 1 == words;
-    reg tag_last;
-    reg stalled_last = 0, was_last;
-    always @(posedge clk) if (!rst) begin
-        stalled_last <= out_valid && !out_ready; was_last <= tlast;
-        if (stalled_last) assert (tlast == was_last);
-        if (in_valid && in_ready) begin
-            in_at <= pixel_last ? 0 : in_at + 1;
-            in_pixel <= in_pixel + pixel_last;
-            if (in_pixel == tag_pixel && in_at == tag_word) begin seen <= 1; bit_in <= word[word_bit]; end
-            if (in_pixel == tag_pixel && pixel_last) tag_last <= last;
-        end
-        if (out_valid && out_ready) begin
-            out_at <= out_at + 1 == beats ? 0 : out_at + 1;
-            out_pixel <= out_pixel + (out_at + 1 == beats);
-            if (out_pixel == tag_pixel && out_at == tag_beat) begin
-                if (tag_word < words) begin
-                    assert (seen);
-                    assert (data[beat_bit] == bit_in);
-                end else begin
-                    assert (in_pixel > tag_pixel);
-                    assert (!data[beat_bit]);
-                end
-            end
-            // TLAST on the last beat of a pixel that is the image's last, and nowhere else.
-            if (out_at + 1 != beats) assert (!tlast);
-            else if (out_pixel == tag_pixel) assert (tlast == tag_last);
-        end
-        assert (in_pixel == out_pixel || out_valid);
-        assert (in_pixel <= out_pixel + 1);
-    end
-endmodule
-"""
-    )
+    order = _ORDER.format(taken="word", given="beat")
+    return OPENING + _EMIT_PORTS + _LIMITS + _TAG + order + _TLAST + "endmodule\n"
 
 
 _GEARBOX = "gearbox.py"

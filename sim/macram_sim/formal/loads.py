@@ -3,51 +3,58 @@
 from __future__ import annotations
 
 from macram.spec import Error, ceil_div
-from macram_sim.formal.designs import LOADS, SMALL
+from macram_sim.formal.designs import LOADS, SMALL, WATCHED_LOAD
 from macram_sim.formal.harness import OPENING, slice_of
 from macram_sim.formal.proof import Break, Proof
 
-WORDS = 2
-"""Most words per unit, or in all for the requantiser, of the proof of the loader."""
-WEIGHT_BEATS = ceil_div(LOADS.weight_word_bits, LOADS.stream_bits)
-REQUANT_BEATS = ceil_div(LOADS.requant_word_bits, LOADS.stream_bits)
+_WEIGHT_BEATS = ceil_div(LOADS.weight_word_bits, LOADS.stream_bits)
+_REQUANT_BEATS = ceil_div(LOADS.requant_word_bits, LOADS.stream_bits)
 
 
 def _loader() -> str:
-    """Loads of weights and of the requantiser one after the other, any data, gaps, bases and TLAST faults."""
+    """Loads of weights and of the requantiser one after the other, any data, gaps, sizes, bases and TLAST faults.
+
+    Where the loader is in a load is watched and shown to be where it should, which makes the proof one of all times.
+    """
     from macram_hw.drain import RequantWrite  # noqa: PLC0415
     from macram_hw.unit import WeightWrite  # noqa: PLC0415
 
     bits, units = LOADS.stream_bits, LOADS.units
     weight, requant = WeightWrite(LOADS), RequantWrite(LOADS)
-    wide = max(WEIGHT_BEATS, REQUANT_BEATS) * bits
+    most = max(_WEIGHT_BEATS, _REQUANT_BEATS)
+    wide = most * bits
     return (
         OPENING
         + f"""
     (* anyseq *) wire start_weights, start_requant, valid, last; (* anyseq *) wire [{bits - 1}:0] data;
     (* anyseq *) wire [31:0] any_words, any_base;
-    wire ready, busy, fault, requant_en; wire [2:0] error; wire [{units - 1}:0] unit_en;
+    wire ready, busy, fault, requant_en, is_requant; wire [2:0] error; wire [{units - 1}:0] unit_en;
     wire [{weight.size - 1}:0] weight; wire [{requant.size - 1}:0] requant;
+    wire [{WATCHED_LOAD - 1}:0] shifter, beat_index, word_index, unit_bit;
     // Words and base are registers that are locked during a load; what is beyond a memory is refused before.
     reg [31:0] words_were, base_was;
     wire [31:0] words = busy ? words_were : any_words, base = busy ? base_was : any_base;
     always @(posedge clk) begin words_were <= words; base_was <= base; end
-    always @* assume (words >= 1 && words <= {WORDS} && base <= 5);
+    wire to_drain_now = busy ? to_requant : start_requant;
+    always @* assume (words >= 1 && words <= 32'hffff && base <= 32'hffff);
+    always @* assume (base + words <= (to_drain_now ? {LOADS.requant_depth} : {LOADS.weight_depth}));
     always @* assume (!(start_weights && start_requant) && !(busy && (start_weights || start_requant)));
     dut dut(.clk(clk), .rst(rst), .words(words), .base(base), .start_weights(start_weights),
         .start_requant(start_requant), .i__payload({{last, data}}), .i__valid(valid), .i__ready(ready), .busy(busy),
         .fault(fault), .error(error), .unit_en(unit_en), .weight(weight), .requant_en(requant_en),
-        .requant(requant));
+        .requant(requant), .to_requant(is_requant), .watched_shifter(shifter), .watched_beat_index(beat_index),
+        .watched_word_index(word_index), .watched_unit(unit_bit));
 
     // The place of the next beat in the load, and the beats of its word so far.
-    reg running = 0, to_requant; reg [3:0] beat, word, unit; reg [{wide - 1}:0] so_far;
+    reg running = 0, to_requant; reg [15:0] beat, word, unit; reg [{wide - 1}:0] so_far;
     wire taken = valid && ready;
-    wire word_ends = beat + 1 == (to_requant ? {REQUANT_BEATS} : {WEIGHT_BEATS});
+    wire [15:0] beats = to_requant ? {_REQUANT_BEATS} : {_WEIGHT_BEATS};
+    wire word_ends = beat + 1 == beats;
     wire unit_ends = word_ends && word + 1 == words;
     wire load_ends = unit_ends && (to_requant || unit == {units - 1});
     wire [{wide - 1}:0] whole = so_far | ({{{wide - bits}'d0, data}} << (beat * {bits}));
     // What must be written now: the word that the beat before completed.
-    reg to_unit = 0, to_drain = 0; reg [3:0] at_unit; reg [31:0] at_word; reg [{wide - 1}:0] value;
+    reg to_unit = 0, to_drain = 0; reg [15:0] at_unit; reg [31:0] at_word; reg [{wide - 1}:0] value;
     always @(posedge clk) if (!rst) begin
         to_unit <= taken && word_ends && !to_requant;
         to_drain <= taken && word_ends && to_requant;
@@ -62,12 +69,18 @@ def _loader() -> str:
         assert (busy == running && ready == running);
         assert (fault == (taken && last != load_ends));
         if (fault) assert (error == (last ? {int(Error.TLAST_EARLY)} : {int(Error.TLAST_MISSING)}));
-        assert (unit_en == (to_unit ? 1 << at_unit : 0));
+        assert (unit_en == (to_unit ? {units}'d1 << at_unit : 0));
         assert (requant_en == to_drain);
         if (to_unit) assert (weight[{slice_of(weight, "addr")}] == at_word
             && weight[{slice_of(weight, "data")}] == value[{LOADS.weight_word_bits - 1}:0]);
         if (to_drain) assert (requant[{slice_of(requant, "addr")}] == at_word
             && requant[{slice_of(requant, "data")}] == value[{LOADS.requant_word_bits - 1}:0]);
+        if (running) begin
+            assert (beat < beats && word < words && unit < {units} && !(to_requant && unit != 0));
+            assert (is_requant == to_requant && beat_index == beat && word_index == word);
+            assert (unit_bit == {units}'d1 << unit);
+            assert (shifter[{wide - 1}:0] >> (({most} - beat) * {bits}) == so_far);
+        end
     end
 endmodule
 """
@@ -118,8 +131,8 @@ LOADING: tuple[Proof, ...] = (
         "every word of a load is written once, whole, to its memory and address, nothing else is; TLAST faults named",
         "loader",
         _loader,
-        LOADS.units * WORDS * WEIGHT_BEATS + WORDS * REQUANT_BEATS + 6,
-        False,
+        3,
+        True,
         ("loader",),
         (
             Break(
@@ -142,7 +155,6 @@ LOADING: tuple[Proof, ...] = (
             ),
             Break(_LOADER, "Mux(self.i.payload.last, Error.TLAST_EARLY", "Mux(all_done, Error.TLAST_EARLY"),
         ),
-        fast=False,
     ),
     Proof(
         "load-commands",

@@ -167,30 +167,38 @@ def _formal(arguments: argparse.Namespace) -> int:
     stages = Stages(console, total=len(chosen))
     arguments.out.mkdir(parents=True, exist_ok=True)
     table = Table(title="proofs on the exported Verilog", box=SIMPLE, padding=(0, 1, 0, 0))
-    for name in ("proof", "what it shows", "how", "s", "broken modules", ""):
+    for name in ("proof", "what it shows", "how", "CPU s", "broken modules", ""):
         table.add_column(name, overflow="fold")
-    rows: list[dict[str, Any]] = []
+    target, rows = arguments.out / "formal.json", list[dict[str, Any]]()
+
+    def result() -> dict[str, Any]:
+        """What has been shown so far; passed only if that is all."""
+        passed = len(rows) == len(chosen) and all(row["passed"] for row in rows)
+        seconds = sum(row["cpu_seconds"] + row["broken_cpu_seconds"] for row in rows)
+        return {"format": 1, "passed": passed, "cpu_seconds": round(seconds, 2), "proofs": rows}
+
     for proof in chosen:
         with stages(proof.name):
             verdict = prove(proof, arguments.out, mutants=not arguments.sound_only)
         rows.append(verdict.to_dict())
-        noticed = f"{sum(verdict.noticed.values())} of {len(verdict.noticed)} fail" if verdict.noticed else ""
+        write_json(target, result())
+        noticed = f"{sum(verdict.noticed.values())} of {len(verdict.noticed)} fail, {verdict.broken_cpu_seconds:.1f} s"
         table.add_row(
             proof.name,
             proof.claim,
             proof.method,
-            f"{verdict.seconds:.1f}",
-            noticed,
+            f"{verdict.cpu_seconds:.1f}",
+            noticed if verdict.noticed else "",
             "ok" if verdict.passed else "FAILED",
         )
     console.print(table)
-    passed = all(row["passed"] for row in rows)
-    write_json(arguments.out / "formal.json", {"format": 1, "passed": passed, "proofs": rows})
+    write_json(target, result())
+    console.print(f"{result()['cpu_seconds']:.0f} CPU seconds in all", highlight=False)
     for row in rows:
         if not row["passed"]:
             console.print(f"FAILED {row['name']}: {row['fault']}", markup=False, soft_wrap=True)
-    console.print(f"{arguments.out / 'formal.json'}", highlight=False, markup=False, soft_wrap=True)
-    return 0 if passed else 1
+    console.print(f"{target}", highlight=False, markup=False, soft_wrap=True)
+    return 0 if result()["passed"] else 1
 
 
 # ---- mutants ------------------------------------------------------------------------------------------------
