@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -15,8 +14,7 @@ from macram.spec import ArrayConfig, ConvSpec
 from macram_sim.array import simulate
 from macram_sim.runner import choose_seed
 
-TINY = ArrayConfig.from_toml(Path(__file__).parents[2] / "configs" / "tiny.toml")
-ARRAY = dataclasses.replace(TINY, name="tiny-residual", residual_stream_bits=64)
+ARRAY = ArrayConfig.from_toml(Path(__file__).parents[2] / "configs" / "tiny-residual.toml")
 SEED = choose_seed()
 
 

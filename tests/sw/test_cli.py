@@ -158,7 +158,7 @@ def test_bad_layers_end_in_one_line_and_leave_nothing(
 
 
 @pytest.mark.parametrize("verb", ["layer", "pack", "rtl"])
-@pytest.mark.parametrize("array", [None, '[array]\nmax_c_in = 4\nname = "small"\n'])
+@pytest.mark.parametrize("array", [None, '[array]\nname = "small"\nunits = 64\nrows = 8\nmax_c_in = 4\n'])
 def test_an_array_that_refuses_a_layer_names_its_file(verb, array, simulator, layer_file, tmp_path, capsys):
     keys = dict(np.load(layer_file))
     np.savez(layer_file, **(keys if array else keys | {"padding": 0}))
@@ -185,10 +185,10 @@ def test_bad_paths_end_in_one_line(simulator, layer_file, tmp_path, capsys):
 
 def test_array_file_is_used_and_must_admit_the_layer(simulator, layer_file, tmp_path, capsys):
     config = tmp_path / "array.toml"
-    config.write_text('[array]\nname = "mine"\nunits = 32\nmax_c_in = 8\n')
+    config.write_text('[array]\nname = "mine"\nunits = 32\nrows = 8\nmax_c_in = 8\n')
     assert main(["layer", str(layer_file), "-o", str(tmp_path), "--array", str(config)]) == 0
     assert simulator.calls[0][0].array.units == 32
-    config.write_text('[array]\nweight = "s4"\n')
+    config.write_text('[array]\nname = "four"\nunits = 64\nrows = 8\nweight = "s4"\n')
     capsys.readouterr()
     assert main(["layer", str(layer_file), "-o", str(tmp_path), "--array", str(config)]) == 2
     assert "weight format is s4, the layer's is s3" in one_line_of(capsys)
@@ -395,7 +395,7 @@ def test_rtl_writes_checks_and_uses_the_configuration(monkeypatch, tmp_path, cap
     monkeypatch.setitem(sys.modules, "macram_hw", types.ModuleType("macram_hw"))
     monkeypatch.setitem(sys.modules, "macram_hw.export", types.SimpleNamespace(export_verilog=export))
     config, out = tmp_path / "c.toml", tmp_path / "rtl"
-    config.write_text('[array]\nname = "mine"\n')
+    config.write_text('[array]\nname = "mine"\nunits = 64\nrows = 8\n')
     assert main(["rtl", "-o", str(out), "--config", str(config), "--check"]) == 1
     assert "macram_top.v: missing" in capsys.readouterr().err
     assert not out.exists()
@@ -403,6 +403,43 @@ def test_rtl_writes_checks_and_uses_the_configuration(monkeypatch, tmp_path, cap
     assert (out / "macram_top.v").read_text() == "mine"
     assert main(["rtl", "-o", str(out), "--config", str(config), "--check"]) == 0
     assert main(["rtl", "-o", str(out), "--check"]) == 1
+
+
+def test_an_interrupted_rtl_leaves_the_earlier_one_whole(monkeypatch, tmp_path, capsys):
+    """Memory images and Verilog appear together or not at all; files of neither export stay."""
+
+    def export(config, folder, *, mem_dir):
+        if config.units == 32:
+            raise KeyboardInterrupt
+        (folder / f"{config.name}.v").write_text(config.name)
+        (folder / "manifest.json").write_text(json.dumps({"sha256": {f"{config.name}.v": ""}}))
+        return types.SimpleNamespace(sources=[])
+
+    monkeypatch.setitem(sys.modules, "macram_hw", types.ModuleType("macram_hw"))
+    monkeypatch.setitem(sys.modules, "macram_hw.export", types.SimpleNamespace(export_verilog=export))
+    config, out = tmp_path / "c.toml", tmp_path / "rtl"
+    arguments = ["rtl", "-o", str(out), "--config", str(config)]
+    text = '[array]\nname = "{}"\nunits = {}\nrows = 8\n'
+
+    config.write_text(text.format("first", 64))
+    assert main(arguments) == 0
+    (out / "notes.txt").write_text("mine")
+    (out / "mem/notes.txt").write_text("mine")
+    before = {path: (path.read_bytes(), path.stat().st_mtime_ns) for path in out.rglob("*") if path.is_file()}
+    config.write_text(text.format("second", 32))
+    assert main(arguments) == 130
+    config.write_text(text.format("first", 64))
+    assert main(arguments) == 0
+    after = {path: (path.read_bytes(), path.stat().st_mtime_ns) for path in out.rglob("*") if path.is_file()}
+    assert after == before
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["c.toml", "rtl"]
+
+    config.write_text(text.format("third", 16))
+    assert main(arguments) == 0
+    assert sorted(path.name for path in out.iterdir()) == ["manifest.json", "mem", "notes.txt", "third.v"]
+    images = {f"unit_{unit:03d}{kind}" for unit in range(16) for kind in (".mem", ".coe")}
+    wanted = images | {"requant.mem", "requant.coe", "manifest.json", "notes.txt"}
+    assert {path.name for path in (out / "mem").iterdir()} == wanted
 
 
 @pytest.mark.parametrize("verb", ["demo", "layer", "pack", "example", "rtl", "sim", "bench"])

@@ -142,7 +142,8 @@ def test_somebody_elses_folder_is_left_alone(tmp_path, capsys):
 def test_the_command(tmp_path, capsys):
     config = tmp_path / "array.toml"
     config.write_text(
-        "[array]\nunits = 8\nrows = 2\ndrain = 2\nmax_c_in = 16\nmax_c_out = 32\nweight_depth = 64\nrow_words = 32\n"
+        '[array]\nname = "small"\nunits = 8\nrows = 2\ndrain = 2\nmax_c_in = 16\nmax_c_out = 32\nweight_depth = 64\n'
+        "row_words = 32\n"
     )
     layer = tmp_path / "layer.npz"
     random_case(ConvSpec(3, 5, 4, 6), 1).save(layer)

@@ -89,8 +89,14 @@ def test_no_more_blocks_than_needed():
     [
         (ConvSpec(17, 8, 4, 4), PLAIN, "c_in must be at most 16, not 17; .* or with partial_sum_c_in = 17$"),
         (ConvSpec(16, 8, 4, 40), PLAIN, "32; split the width, or set partial_sum_c_in$"),
+        # 17 groups of one ingest word of two row-engine blocks: no block of channels is narrow enough.
+        (ConvSpec(16, 8, 4, 65), PLAIN, "32; split the width, or build an array with row_words = 136$"),
         (ConvSpec(65, 8, 4, 4), TINY, "at most 64, not 65; build an array with a larger partial_sum_c_in$"),
-        (ConvSpec(64, 8, 4, 65), TINY, "a row of 65 pixels x 2 channels needs 34 line-buffer words"),
+        (
+            ConvSpec(64, 8, 4, 65),
+            TINY,
+            "2 channels needs 34 .* 32; split the width, or build .* row_words = 34$",
+        ),
         (ConvSpec(64, 8, 4, 4, output=IntFormat(4)), TINY, "output format is u3, the layer's is u4"),
     ],
 )

@@ -163,6 +163,12 @@ def test_layers_that_just_fit_are_admitted(layer):
         ("units = 64\n", r"has no \[array\] table"),
         ("", r"has no \[array\] table"),
         ("[array]\nunits = 2\n", r"units must be in 4\.\.1024, not 2"),
+        ("[array]\n", r"\[array\] has no name; add it, it tells this array's reports from others'$"),
+        ('[array]\nname = "a"\nrows = 4\n', r"\[array\] has no units; add it, for example units = 64$"),
+        (
+            '[array]\nname = "a"\nunits = 64\n',
+            r"\[array\] has no rows; add it, row engines per unit, for example",
+        ),
     ],
 )
 def test_bad_files_are_refused_by_name(tmp_path, text, words):
@@ -171,6 +177,12 @@ def test_bad_files_are_refused_by_name(tmp_path, text, words):
     with pytest.raises(ValueError, match=words) as caught:
         ArrayConfig.from_toml(path)
     assert str(caught.value).startswith(f"{path}: ")
+
+
+def test_what_a_file_leaves_out_is_the_reference_array_s(tmp_path):
+    path = tmp_path / "small.toml"
+    path.write_text('[array]\nname = "small"\nunits = 32\nrows = 4\n')
+    assert ArrayConfig.from_toml(path) == ArrayConfig(name="small", units=32, rows=4)
 
 
 def test_files_that_cannot_be_read_are_refused_by_name(tmp_path):

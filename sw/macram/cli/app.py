@@ -213,7 +213,9 @@ def _hardware(verb: Verb) -> None:
         "rtl_verb",
         "write the array's Verilog",
         "The Verilog carries no weights; the same configuration gives the same bytes. DIR/mem holds the "
-        "memory images of a layer: of --layer, else of a seeded self-test.",
+        "memory images of a layer: of --layer, else of a seeded self-test. A configuration is a TOML file with one "
+        "table, [array]; it must give name, units and rows, and what else it leaves out is the reference array's "
+        "(configs/reference.toml).",
     )
     rtl.add_argument("-o", "--out", type=Path, default=Path("rtl"), metavar="DIR", help="default: rtl")
     rtl.add_argument(

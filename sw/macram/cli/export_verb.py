@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from rich.console import Console
+
     from macram.cli.stages import Stages
     from macram.layer_file import LayerCase
     from macram.spec import ArrayConfig
@@ -22,6 +24,9 @@ and on a board with PYNQ, in a copy of DIR/overlay:
   python3 run_reference.py                           the layer, every code compared, cycles and milliseconds
 
 DIR/README.md says what is in the folder and what has not been run on silicon.
+
+An array that is larger than the board's device (360 DSP48E2, 216 RAMB36, 80 % of 70,560 LUT) is refused. DSP slices
+and block RAM follow from the configuration; LUTs are checked if macram synth has counted exactly this design.
 """
 
 
@@ -49,6 +54,9 @@ def add_export(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) ->
         metavar="CONFIG.toml",
         help="array to build (default: configs/zu3eg.toml, the fastest that fits the board's device)",
     )
+    export.add_argument(
+        "--synth", type=Path, metavar="DIR", help="where macram synth wrote its counts (default: build/synth)"
+    )
     layer = export.add_mutually_exclusive_group()
     layer.add_argument(
         "--layer",
@@ -75,6 +83,7 @@ def export(arguments: argparse.Namespace) -> int:
     array = default_array() if arguments.config is None else ArrayConfig.from_toml(arguments.config)
     console = open_console()
     stages = Stages(console)
+    _check_fits(array, arguments, console)
     case = _case(arguments, array, stages)
     manifest = export_vivado(array, case, arguments.out, stage=stages)
     clocks = " and ".join(manifest["clocks"])
@@ -86,6 +95,29 @@ def export(arguments: argparse.Namespace) -> int:
         soft_wrap=True,
     )
     return 0
+
+
+def _check_fits(array: ArrayConfig, arguments: argparse.Namespace, console: Console) -> None:
+    """Refuse an array that is larger than the board's device; say so where its LUTs are not known."""
+    from macram.cli.synth_verb import SYNTH_FOLDER  # noqa: PLC0415
+    from macram.designs import find_resources  # noqa: PLC0415
+    from macram.designs.resources import DEVICE  # noqa: PLC0415
+    from macram.synth.devices import DEVICES  # noqa: PLC0415
+    from macram.synth.fit import check_fits  # noqa: PLC0415
+
+    folder = arguments.synth or SYNTH_FOLDER
+    if arguments.synth is not None and not folder.is_dir():
+        raise ValueError(f"{folder}: no such folder; name the one that macram synth wrote to")
+    counted = find_resources(array, folder)
+    check_fits(array, DEVICES[DEVICE], counted)
+    if counted is None:
+        console.print(
+            f"LUTs not checked: {folder} has no counts of this design as it is now; "
+            f"macram synth {arguments.config or 'configs/zu3eg.toml'} makes them",
+            highlight=False,
+            markup=False,
+            soft_wrap=True,
+        )
 
 
 def _case(arguments: argparse.Namespace, array: ArrayConfig, stages: Stages) -> LayerCase:

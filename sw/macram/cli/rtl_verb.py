@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import subprocess
 import sys
 import tempfile
@@ -10,12 +11,14 @@ from pathlib import Path
 
 from macram.spec import ArrayConfig
 
+MANIFEST = "manifest.json"
+
 
 def rtl(arguments: argparse.Namespace) -> int:
     """Write into the folder; with ``--check`` compare, with ``--lint`` run Verilator over a fresh export."""
     config = ArrayConfig() if arguments.config is None else ArrayConfig.from_toml(arguments.config)
     if not (arguments.check or arguments.lint):
-        _export(config, arguments.layer, arguments.out)
+        _write(config, arguments.layer, arguments.out)
         print(f"Verilog of array {config.name} in {arguments.out}")
         return 0
     with tempfile.TemporaryDirectory(prefix="macram-rtl-") as name:
@@ -35,6 +38,46 @@ def rtl(arguments: argparse.Namespace) -> int:
         if arguments.lint:
             failed |= not _lint(fresh, sources)
     return 1 if failed else 0
+
+
+def _write(config: ArrayConfig, layer: Path | None, folder: Path) -> None:
+    """Export into a folder beside ``folder``, then move what has changed, file by file.
+
+    The manifests leave first and come back last: a folder in which that was interrupted is nobody's export.
+    """
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as staging:
+        fresh = Path(staging) / folder.name
+        _export(config, layer, fresh)
+        wanted = {path.relative_to(fresh) for path in fresh.rglob("*") if path.is_file()}
+        stale = _listed(folder) - wanted
+        changed = {name for name in wanted if not _equal(folder / name, fresh / name)}
+        if not stale | changed:
+            return
+        manifests = {name for name in wanted if name.name == MANIFEST}
+        for name in stale | manifests:
+            (folder / name).unlink(missing_ok=True)
+        for name in [*sorted(changed - manifests), *sorted(manifests)]:
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (fresh / name).replace(folder / name)
+
+
+def _listed(folder: Path) -> set[Path]:
+    """Files of an earlier export in ``folder`` by its manifests; only such names are ever removed."""
+    found = set()
+    for manifest in (Path(MANIFEST), Path("mem") / MANIFEST):
+        try:
+            names = [Path(name) for name in json.loads((folder / manifest).read_text())["sha256"]]
+        except (OSError, ValueError, KeyError, TypeError):
+            continue
+        found |= {
+            manifest.parent / name for name in names if ".." not in name.parts and not name.is_absolute()
+        }
+    return found
+
+
+def _equal(path: Path, other: Path) -> bool:
+    return path.is_file() and path.read_bytes() == other.read_bytes()
 
 
 def _export(config: ArrayConfig, layer: Path | None, folder: Path) -> list[Path]:

@@ -2,7 +2,7 @@
 
 from macram.golden.cases import KINDS, random_case, selftest_case
 from macram.golden.conv import conv2d
-from macram.golden.formula import float_code
+from macram.golden.formula import bias_and_shift, float_code
 from macram.golden.requant import Distance, ShiftRequant, ThresholdRequant, derive_requant
 from macram.golden.residual import ResidualRule
 from macram.golden.run import accumulate, float_codes, run_layer
@@ -14,6 +14,7 @@ __all__ = [
     "ShiftRequant",
     "ThresholdRequant",
     "accumulate",
+    "bias_and_shift",
     "conv2d",
     "derive_requant",
     "float_code",

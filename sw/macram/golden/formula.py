@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from macram.spec import IntFormat
+from macram.spec.array import OFFSET_BITS
 
+OFFSET = IntFormat(OFFSET_BITS, signed=True)
 Int64 = NDArray[np.int64]
 Float64 = NDArray[np.float64]
 
@@ -24,6 +26,32 @@ def float_code(acc: NDArray[np.integer], scale: Float64, offset: Float64, output
         return np.clip(np.rint(scale * acc.astype(np.float64) + offset), output.lo, output.hi).astype(
             np.int64
         )
+
+
+def bias_and_shift(bias: NDArray[np.integer], shift: int) -> tuple[Float64, Float64]:
+    """Scale and offset of a requantisation without a multiplier, ``clip((acc + bias) >> shift, lo, hi)``.
+
+    The formula never meets a tie with them, so its rounding is that shift's floor, exactly.
+
+    Args:
+        bias: integers ``[c_out]`` of up to 48 bits; with ``2**(shift - 1)`` in it the shift rounds half up.
+        shift: 0 to 47, the same for all channels.
+
+    Returns:
+        float64 ``[c_out]`` each, for `macram.layer_file.LayerCase`.
+
+    Raises:
+        ValueError: the bias is not of integers or too large, or the shift is out of range.
+    """
+    bias = np.asarray(bias)
+    if not np.issubdtype(bias.dtype, np.integer) or not OFFSET.holds(bias):
+        raise ValueError(
+            f"bias must be integers of up to {OFFSET_BITS} bits; give it in units of the accumulator"
+        )
+    if not 0 <= shift < OFFSET_BITS:
+        raise ValueError(f"shift must be in 0..{OFFSET_BITS - 1}, not {shift}")
+    step = 2.0**-shift
+    return np.full(bias.shape, step), (bias + 0.5) * step - 0.5
 
 
 def first_true(

@@ -47,6 +47,13 @@ PACKED_BITS = 3
 """Most bits of an operand of the kinds other than ``portable``: the lanes in a DSP slice lie 7 bits apart, and the
 operands of a product in LUTs fill the inputs of one LUT."""
 
+REQUIRED = {
+    "name": "it tells this array's reports from others'",
+    "units": "for example units = 64",
+    "rows": "row engines per unit, for example rows = 8",
+}
+"""Fields that a file must give, and what to say where it does not: without them it would be the reference array."""
+
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 
 
@@ -395,9 +402,13 @@ class ArrayConfig:
             )
         row = self.line_words(layer)
         if row > self.row_words:
+            # Channels in blocks shorten a row down to one ingest word per pixel.
+            shortest = self.groups(layer.out_width) * layer.stride * self.ingest
+            blocks = shortest <= self.row_words and not self.partial_sum_c_in
+            fix = "set partial_sum_c_in" if blocks else f"build an array with row_words = {row}"
             raise ValueError(
                 f"a row of {layer.width} pixels x {layer.c_in} channels needs {row} line-buffer words, "
-                f"the array has {self.row_words}; split the width, or set partial_sum_c_in"
+                f"the array has {self.row_words}; split the width, or {fix}"
             )
 
     # ---- files ----------------------------------------------------------------------------------
@@ -419,13 +430,16 @@ class ArrayConfig:
 
     @classmethod
     def from_toml(cls, path: Path) -> ArrayConfig:
-        """Read the ``[array]`` table of a TOML file.
+        """Read the ``[array]`` table of a TOML file; fields that it leaves out are the reference array's.
 
         Raises:
-            ValueError: naming the file and the fault.
+            ValueError: naming the file and the fault; `REQUIRED` fields must be there.
         """
         table = read_table(path, "array")
         try:
-            return cls.from_dict(table)
+            array = cls.from_dict(table)
         except ValueError as error:
             raise ValueError(f"{path}: {error}") from error
+        if missing := [key for key in REQUIRED if key not in table]:
+            raise ValueError(f"{path}: [array] has no {missing[0]}; add it, {REQUIRED[missing[0]]}")
+        return array

@@ -108,7 +108,7 @@ class Device:
     def excess(self, used: Mapping[str, float]) -> list[str]:
         """A phrase for each resource of which ``used`` takes more than the device allows."""
         return [
-            f"{used[key]:,.0f} {key.upper()} of {self.limit(key):,}"
+            f"{used[key]:,.{1 if used[key] % 1 else 0}f} {key.upper()} of {self.limit(key):,}"
             for key in RESOURCES
             if used[key] > self.limit(key)
         ]
