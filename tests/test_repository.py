@@ -42,7 +42,7 @@ LAYERS = (
     {"macram.cpu_latency"},
     {"macram.synth"},
     {"macram.designs"},
-    {"macram.network_latency"},
+    {"macram.network_latency", "macram.network"},
     {"macram.demo", "macram.bench"},
     {"macram.cli"},
 )
