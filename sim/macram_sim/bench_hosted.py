@@ -1,7 +1,8 @@
 """The cocotb bench of layers whose images another process makes: the host's part stays outside the simulator.
 
 The folder named by ``MACRAM_JOB`` holds ``layers.pickle``. Image n is awaited as ``image_n.npy``; the bench leaves
-``result_n.npz``: ``codes``, ``counters`` in the order of `macram.driver.COUNTERS`, ``elapsed``. See `macram_sim.hosted`.
+``result_n.npz``: ``codes``, ``counters`` in the order of `macram.driver.COUNTERS` and ``elapsed``.
+See `macram_sim.hosted`.
 """
 
 from __future__ import annotations

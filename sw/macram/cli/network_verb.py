@@ -17,11 +17,14 @@ if TYPE_CHECKING:
 
     from macram.network import NetworkTable, Shape
 
+SEED = 2022
 DETAIL = (
     "Simulates every distinct layer shape of the network on the array's exported Verilog, with random codes, compares "
     "every output code with the golden model and the cycles with the closed form. Writes network.html, network.md and "
     "network.json. A shape that is done is not simulated again, as long as array, gateware and seed are the same: stop "
-    "and go on at will."
+    "and go on at will. With --weights a picture goes through a trained network, every convolution of it on the array "
+    "with what the array gave before, and every code is compared with the deployed network; writes picture.html, "
+    "picture.md, picture.json and picture.png with the pose."
 )
 EXAMPLES = """\
 examples:
@@ -30,6 +33,10 @@ examples:
   macram network configs/zu3eg.toml --only 64-128-      those with 64 input and 128 output channels
   macram network configs/zu3eg.toml --limit 5           five more, the shortest first
   macram network configs/zu3eg.toml --limit 0           only the table of what is done
+  macram network configs/zu3eg.toml --weights quarter-w3a3     an example picture to its pose, all on the array
+
+The array needs partial sums for --weights, because some convolutions must leave exact sums; where the
+configuration has none, partial_sum_c_in is set to max_c_in. The simulator is kept as by macram layer.
 """
 
 
@@ -42,7 +49,6 @@ def add_network(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -
     )
     sub.add_argument(
         "--size",
-        default="paper",
         help="network: paper, quarter, eighth, paper-front or tiny (default: paper)",
     )
     sub.add_argument("--side", type=int, metavar="N", help="pictures of N x N pixels (default: 512)")
@@ -56,9 +62,16 @@ def add_network(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -
     sub.add_argument(
         "--limit", type=int, metavar="N", help="simulate at most N more shapes, the shortest first"
     )
-    sub.add_argument("--seed", type=int, default=2022, help="of the codes (default: 2022)")
+    sub.add_argument("--seed", type=int, help=f"of the codes (default: {SEED})")
     sub.add_argument(
-        "-o", "--out", type=Path, metavar="DIR", help="default: build/network/ARRAY, by the array's name"
+        "--weights",
+        metavar="MODEL",
+        help="a picture through this network instead: model.safetensors of a run, or a shipped name",
+    )
+    sub.add_argument("--image", type=Path, help="picture for --weights (default: an example)")
+    sub.add_argument("--focal", type=float, help="its focal length in pixels (default: as of macram demo)")
+    sub.add_argument(
+        "-o", "--out", type=Path, metavar="DIR", help="default: build/network/ARRAY or ARRAY-MODEL"
     )
 
 
@@ -77,11 +90,20 @@ def network(arguments: argparse.Namespace) -> int:
         if value is not None and value < least:
             raise ValueError(f"--{name} must be {least} or more, not {value}")
     array = ArrayConfig() if arguments.config is None else ArrayConfig.from_toml(arguments.config)
+    if arguments.weights is not None:
+        from macram.cli.network_picture import network_picture  # noqa: PLC0415
+
+        return network_picture(arguments, array)
+    if arguments.image is not None or arguments.focal is not None:
+        raise ValueError(
+            "--image and --focal go with --weights; name a network, such as --weights quarter-w3a3"
+        )
+    size, seed = arguments.size or "paper", SEED if arguments.seed is None else arguments.seed
     out = arguments.out or Path("build/network") / array.name
-    side, runs = _runs(arguments.size, arguments.side)
+    side, runs = _runs(size, arguments.side)
     shapes = distinct_shapes(runs, array)
     wanted = wanted_shapes(shapes, arguments.only)
-    records_of, seed = out / "shapes", arguments.seed
+    records_of = out / "shapes"
     records_of.mkdir(parents=True, exist_ok=True)
     console = open_console()
     with Stages(console)(f"{array.name}: export the Verilog"):
@@ -94,8 +116,8 @@ def network(arguments: argparse.Namespace) -> int:
     page = write_network(
         out,
         table,
-        network=f"{arguments.size}, deployable, {side} x {side} pixels",
-        command=_command(arguments),
+        network=f"{size}, deployable, {side} x {side} pixels",
+        command=_command(arguments.config, size, arguments.side, seed),
         about={"design": design, "seed": seed, "versions": versions(), "machine": machine()},
     )
     console.print(_printed(table))
@@ -167,23 +189,20 @@ def _printed(table: NetworkTable) -> Table:
     from macram.designs.losses import LOSSES  # noqa: PLC0415
     from macram.network.page import HEAD, LEFT, cells  # noqa: PLC0415
 
-    shown = [index for index, head in enumerate(HEAD) if head not in ("passes", *LOSSES)]
+    shown = [index for index, head in enumerate(HEAD) if head not in (HEAD[0], "passes", *LOSSES)]
     grid = Table(title=f"{table.array.name}: convolutions by shape", box=SIMPLE, padding=(0, 1, 0, 0))
     for index in shown:
         grid.add_column(
-            HEAD[index],
-            justify="left" if index in LEFT else "right",
-            no_wrap=index > 0,
-            overflow="ellipsis",
+            HEAD[index], justify="left" if index in LEFT else "right", no_wrap=index < len(HEAD) - 1
         )
     for row in cells(table):
         grid.add_row(*(row[index] for index in shown))
     return grid
 
 
-def _command(arguments: argparse.Namespace) -> str:
+def _command(config: Path | None, size: str, side: int | None, seed: int) -> str:
     """What to type to get the same again; which part of it was run when does not matter."""
-    words = ["macram network", *([str(arguments.config)] if arguments.config else [])]
-    words += [f"--size {arguments.size}"] if arguments.size != "paper" else []
-    words += [f"--side {arguments.side}"] if arguments.side is not None else []
-    return " ".join([*words, f"--seed {arguments.seed}"])
+    words = ["macram network", *([str(config)] if config else [])]
+    words += [f"--size {size}"] if size != "paper" else []
+    words += [f"--side {side}"] if side is not None else []
+    return " ".join([*words, f"--seed {seed}"])

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from macram.layer_job import COUNTERS
 from macram.network.steps import ArrayStep, array_steps
 from macram.quant.program import AccumulateOp, AddOp, Codes, LookupOp, Program, golden_tensor
 from macram.report.files import write_npz
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from torch import Tensor
 
     from macram_sim.hosted import HostedResult
+
+
+FIGURES = ("cycles", *COUNTERS, "elapsed")
 
 
 class ArrayNetwork:
@@ -32,8 +36,8 @@ class ArrayNetwork:
         program: what is run.
         steps: its convolutions.
         tensors: every tensor of the last image by name, from the array's own results.
-        runs: cycles of every convolution of the last image by name: ``cycles`` counted by the array, ``elapsed`` with
-            loads and register accesses.
+        runs: of every convolution of the last image by name: the array's counters, and ``elapsed`` cycles with loads
+            and register accesses.
 
     Args:
         program: from `macram.quant.lower_network`.
@@ -121,20 +125,17 @@ class ArrayNetwork:
             try:
                 with np.load(kept / f"{step.op.name}.npz") as parts:
                     self.tensors[step.op.name] = parts["codes"]
-                    cycles, elapsed = map(int, parts["runs"])
+                    self.runs[step.op.name] = dict(zip(FIGURES, parts["runs"].tolist(), strict=True))
             except (OSError, ValueError, KeyError):
                 return count
-            self.runs[step.op.name] = {"cycles": cycles, "elapsed": elapsed}
             self._host_until(step)
             self._tell(step)
         return len(self.steps)
 
     def _finish(self, step: ArrayStep, found: Sequence[HostedResult]) -> None:
         self.tensors[step.op.name] = step.tensor([result.codes for result in found])
-        self.runs[step.op.name] = {
-            "cycles": sum(result.counters["cycles"] for result in found),
-            "elapsed": sum(result.elapsed for result in found),
-        }
+        figures = [result.counters | {"elapsed": result.elapsed} for result in found]
+        self.runs[step.op.name] = {name: sum(figure[name] for figure in figures) for name in FIGURES}
 
     def _host_until(self, step: ArrayStep | None) -> None:
         """The host's own operations in front of a convolution, or to the end."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -56,8 +57,8 @@ def write_network(
     )  # fmt: skip
     write_text(folder / "network.md", markdown(table, network, command))
     page = page_environment().get_template("network.html.j2").render(
-        table=table, network=network, command=command, summary=summary(table), note=NOTE,
-        head=HEAD, left=LEFT, rows=cells(table),
+        title=f"{array.name}: every convolution simulated", network=network, command=command, file="network.json",
+        summary=summary(table), note=NOTE, head=HEAD, left=LEFT, rows=cells(table), picture="",
     )  # fmt: skip
     write_text(folder / "network.html", page)
     return folder / "network.html"
@@ -65,14 +66,27 @@ def write_network(
 
 def markdown(table: NetworkTable, network: str, command: str) -> str:
     """The table as a Markdown page."""
-    marks = ["---" if index in LEFT else "---:" for index in range(len(HEAD))]
-    lines = [f"| {' | '.join(row)} |" for row in (HEAD, marks, *cells(table))]
-    return "\n".join(
-        [
-            f"# {table.array.name}: every convolution simulated ({network})",
-            "", f"Written by `{command}`.", "", summary(table), "", *lines, "", NOTE, "",
-        ]
-    )  # fmt: skip
+    return page_text(
+        f"{table.array.name}: every convolution simulated ({network})",
+        command,
+        summary(table),
+        (HEAD, LEFT, cells(table)),
+        NOTE,
+    )
+
+
+def page_text(
+    title: str,
+    command: str,
+    text: str,
+    table: tuple[Sequence[str], set[int], Sequence[Sequence[str]]],
+    note: str,
+) -> str:
+    """A Markdown page of one table: its head, the columns of text, its rows."""
+    head, left, rows = table
+    marks = ["---" if index in left else "---:" for index in range(len(head))]
+    lines = [f"| {' | '.join(row)} |" for row in (head, marks, *rows)]
+    return "\n".join([f"# {title}", "", f"Written by `{command}`.", "", text, "", *lines, "", note, ""])
 
 
 def summary(table: NetworkTable) -> str:
@@ -88,9 +102,10 @@ def summary(table: NetworkTable) -> str:
         exact = sum(row["cycles"] == row["estimated"] for row in table.rows if row["passed"] is not None)
         lines.append(
             f"{total['mismatches']:,} of {total['compared']:,} codes differ from the golden model. Cycles are exactly "
-            f"the estimated ones in {exact} shapes. All of them together: {total['estimated_simulated']:,} cycles "
-            f"estimated, {total['cycles']:,} simulated, {total['ms']:.1f} ms at 100 MHz, "
-            f"{total['macs_per_cycle']:,.0f} MAC/cycle, {100 * total['utilisation']:.1f} % of the peak."
+            f"the estimated ones in {exact} of {_done(table)} shapes. All of them together: "
+            f"{total['estimated_simulated']:,} cycles estimated, {total['cycles']:,} simulated, "
+            f"{total['ms']:.1f} ms at 100 MHz, {total['macs_per_cycle']:,.0f} MAC/cycle, "
+            f"{100 * total['utilisation']:.1f} % of the peak."
         )
     return " ".join(lines)
 
@@ -117,7 +132,7 @@ def row_cells(row: dict[str, Any]) -> list[str]:
 
 def total_cells(total: dict[str, Any]) -> list[str]:
     """The sum over every simulated convolution under `HEAD`."""
-    start = ["all simulated", str(total["simulated"]), "", "", "", f"{total['estimated_simulated']:,}"]
+    start = ["", str(total["simulated"]), "all simulated", "", "", f"{total['estimated_simulated']:,}"]
     if not total["simulated"]:
         return [*start, *[""] * (len(HEAD) - len(start))]
     codes = [f"{total[key]:,}" for key in ("compared", "mismatches")]
