@@ -35,6 +35,8 @@ def find_record(folder: Path, shape: Shape, design: str, seed: int) -> dict[str,
         record: dict[str, Any] = json.loads(record_path(folder, shape, design, seed).read_text("utf-8"))
     except (OSError, ValueError):
         return None
+    if not isinstance(record, dict):
+        return None
     same = record.get("design") == design and record.get("layer") == layer_table(shape.spec)
     return record if same and record.get("seed") == seed else None
 
