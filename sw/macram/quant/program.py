@@ -195,4 +195,5 @@ def golden_tensor(op: Op, tensors: Mapping[str, Codes]) -> Codes:
             branch = op.table[tensors[op.branch] - op.low]
             if op.doubled:
                 branch = branch.repeat(2, axis=1).repeat(2, axis=2)
-            return np.clip(tensors[op.stream] + branch, op.floor, op.ceiling)
+            total: Codes = np.clip(tensors[op.stream] + branch, op.floor, op.ceiling)
+            return total
