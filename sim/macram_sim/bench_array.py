@@ -24,7 +24,7 @@ from macram.golden import ResidualRule
 from macram.pack import read_packed
 from macram.spec import BY_NAME, REGISTERS
 from macram_sim.clocks import start_clocks
-from macram_sim.progress import leave
+from macram_sim.progress import leave_share
 from macram_sim.transport import CocotbTransport
 
 PROGRESS_SECONDS = 2.0
@@ -51,7 +51,7 @@ class Progress:
         if now - self._last >= PROGRESS_SECONDS:
             self._last = now
             if self._folder is not None:
-                leave(self._folder, (self._done + received / expected) / self._transfers)
+                leave_share(self._folder, (self._done + received / expected) / self._transfers)
                 return
             share = 100 * received / expected
             print(

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from macram.driver import COUNTERS, ArrayDriver, RunResult
 from macram_sim.clocks import PERIOD_NS, start_clocks
 from macram_sim.hosted import HOST_GONE, LAYERS, LOOK_SECONDS, image_file, put, result_file
+from macram_sim.progress import leave_share
 from macram_sim.transport import CocotbTransport
 
 
@@ -30,7 +31,7 @@ async def run_layers(dut: Any) -> None:
     folder = Path(os.environ["MACRAM_JOB"])
     with (folder / LAYERS).open("rb") as file:
         layers = pickle.load(file)
-    transport = CocotbTransport(dut)
+    transport = CocotbTransport(dut, progress=lambda moved, expected: leave_share(folder, moved / expected))
     start_clocks(dut)
     await transport.reset()
     driver = ArrayDriver(transport, layers[0].array)
@@ -57,6 +58,7 @@ async def run_layers(dut: Any) -> None:
             if (folder / HOST_GONE).is_file():
                 raise RuntimeError("the host gave up")
             time.sleep(LOOK_SECONDS)
+        leave_share(folder, 0.0)
         codes: NDArray[np.int64] = np.load(image)
         return codes
 

@@ -19,6 +19,7 @@ from macram.driver import COUNTERS
 from macram.pack import PackedLayer
 from macram_sim.array import build_array
 from macram_sim.build import SimulationError, build_root
+from macram_sim.progress import watching
 from macram_sim.runner import run
 
 LAYERS = "layers.pickle"
@@ -48,6 +49,7 @@ def simulate_hosted(
     done: Callable[[int, HostedResult], None],
     *,
     seed: int = 0,
+    told: Callable[[float], None] | None = None,
 ) -> None:
     """Load and run layers in order on the exported Verilog, by `macram.driver.ArrayDriver.run_sequence`.
 
@@ -56,6 +58,7 @@ def simulate_hosted(
         next_image: makes the image ``[c_in, height, width]`` of the layer of an index, once those before are done.
         done: called with every result, in order.
         seed: of the simulator.
+        told: called now and then, from another thread, with the share of the present run that is done.
 
     Raises:
         SimulationError: the build or the simulation failed.
@@ -66,7 +69,7 @@ def simulate_hosted(
     folder = Path(tempfile.mkdtemp(prefix=f"{layers[0].array.name}-", dir=build_root() / "jobs"))
     with (folder / LAYERS).open("wb") as file:
         pickle.dump(list(layers), file)
-    with ThreadPoolExecutor(1) as pool:
+    with watching(folder, told), ThreadPoolExecutor(1) as pool:
         simulation = pool.submit(
             run, model, "macram_sim.bench_hosted", folder / "run", seed=seed, env={"MACRAM_JOB": str(folder)}
         )

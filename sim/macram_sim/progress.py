@@ -11,7 +11,7 @@ FILE = "progress"
 LOOK_SECONDS = 0.5
 
 
-def leave(folder: Path, share: float) -> None:
+def leave_share(folder: Path, share: float) -> None:
     """Leave the share, 0 to 1, in the job folder; a reader never sees half a number."""
     begun = folder / f".{FILE}"
     begun.write_text(f"{share:.6f}")

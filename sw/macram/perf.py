@@ -152,7 +152,12 @@ def estimate(
     # Within the last row pixels may come faster than over all rows, of which a stride of 2 leaves every other to rest.
     behind = 0 if waits_for_row else (groups - 1) * max(0, group_period - group_in * pixel_in)
     limits = {
-        "input": pixel_in * rows_used * layer.width + behind + groups_after * group_period + drain,
+        "input": pixel_in * rows_used * layer.width
+        + 1
+        + behind
+        + groups_after * group_period
+        - (last_period - steps)
+        + drain,
         "output": fill + group_period - last_period + steps + to_output + pixels_out * pixel_out,
     }
     group_cycles = {"input": group_in * layer.stride * pixel_in, "output": GROUP * pixel_out}

@@ -45,10 +45,14 @@ def network_picture(arguments: argparse.Namespace, array: ArrayConfig) -> int:
     times = (TimeElapsedColumn(), TextColumn("left:"), TimeRemainingColumn())
     bar = Progress(*columns, *times, console=console, speed_estimate_period=600)
 
-    def told(index: int) -> None:
-        bar.update(task, advance=network.steps[index].cycles)
-        following = network.steps[index + 1].op.name if index + 1 < len(network.steps) else ""
-        bar.update(task, description=f"[{index + 1}/{len(network.steps)}] {following}")
+    def told(done: int, share: float) -> None:
+        steps = network.steps
+        cycles = sum(step.cycles for step in steps[:done])
+        here = ""
+        if done < len(steps):
+            # Of a convolution in passes, the share is that of the present one.
+            here, cycles = steps[done].op.name, cycles + share * steps[done].cycles / len(steps[done].passes)
+        bar.update(task, description=f"[{done}/{len(steps)}] {here}", completed=cycles)
 
     network, judge = shown.on_array(out / "results", design, told)
     out.mkdir(parents=True, exist_ok=True)

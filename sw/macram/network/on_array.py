@@ -44,7 +44,8 @@ class ArrayNetwork:
         array: to run it on.
         folder: of the results that are kept.
         design: `macram.synth.sources.design_hash` of the array; other Verilog, other results.
-        told: called after every convolution with its index.
+        told: called with the number of convolutions that are done and the share of the next one's present run, also
+            from another thread.
 
     Raises:
         ValueError: a convolution that the array does not run.
@@ -56,7 +57,7 @@ class ArrayNetwork:
         array: ArrayConfig,
         folder: Path,
         design: str,
-        told: Callable[[int], None] | None = None,
+        told: Callable[[int, float], None] | None = None,
     ) -> None:
         self.program = program
         self.steps: list[ArrayStep] = array_steps(program, array)
@@ -111,11 +112,11 @@ class ArrayNetwork:
                     runs=np.array(list(self.runs[step.op.name].values())),
                 )
                 found.clear()
-                self._tell(step)
+                self._tell(len(self.runs))
 
         if order:
             layers = [step.passes[index] for step, index in order]
-            simulate_hosted(layers, next_image, done)
+            simulate_hosted(layers, next_image, done, told=lambda share: self._tell(len(self.runs), share))
         self._host_until(None)
         return self.tensors
 
@@ -129,7 +130,7 @@ class ArrayNetwork:
             except (OSError, ValueError, KeyError):
                 return count
             self._host_until(step)
-            self._tell(step)
+            self._tell(count + 1)
         return len(self.steps)
 
     def _finish(self, step: ArrayStep, found: Sequence[HostedResult]) -> None:
@@ -145,9 +146,9 @@ class ArrayNetwork:
             if isinstance(op, LookupOp | AddOp) and op.name not in self.tensors:
                 self.tensors[op.name] = golden_tensor(op, self.tensors)
 
-    def _tell(self, step: ArrayStep) -> None:
+    def _tell(self, done: int, share: float = 0.0) -> None:
         if self._told is not None:
-            self._told(self.steps.index(step))
+            self._told(done, share)
 
     def _key(self, codes: NDArray[np.integer]) -> str:
         """Of everything that decides the results: Verilog, weights, requantisers, input."""

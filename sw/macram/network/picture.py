@@ -77,14 +77,14 @@ class PictureNetwork:
             )
 
     def on_array(
-        self, folder: Path, design: str, told: Callable[[int], None] | None = None
+        self, folder: Path, design: str, told: Callable[[int, float], None] | None = None
     ) -> tuple[ArrayNetwork, Callable[[], PictureRun]]:
         """The network on the array, not yet run, and what runs and judges it.
 
         Args:
             folder: where results are kept, see `ArrayNetwork`.
             design: `macram.synth.sources.design_hash` of `array`.
-            told: called after every convolution with its index.
+            told: as of `ArrayNetwork`.
 
         Raises:
             ValueError: a convolution that the array does not run.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,7 +38,7 @@ class ArrayStep:
     as_sums: bool
     rise: Rise
 
-    @property
+    @cached_property
     def cycles(self) -> int:
         """Of all passes by the closed form."""
         return sum(
@@ -45,7 +46,7 @@ class ArrayStep:
             for part in self.passes
         )
 
-    @property
+    @cached_property
     def exact(self) -> bool:
         """Whether these are the cycles of an undisturbed run, not only near them."""
         return all(
