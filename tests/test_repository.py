@@ -42,7 +42,7 @@ LAYERS = (
     {"macram.cpu_latency"},
     {"macram.synth"},
     {"macram.designs"},
-    {"macram.network_latency"},
+    {"macram.network_latency", "macram.network"},
     {"macram.demo", "macram.bench"},
     {"macram.cli"},
 )
@@ -50,7 +50,7 @@ LAYERS = (
 RANK = {name: rank for rank, names in enumerate(LAYERS) for name in names}
 NETWORKS = {"macram.model", "macram.quant", "macram.front", "macram.train"}
 """Where networks live: the only place for torch at import time."""
-LATE = {"macram.cpu_latency": {"torch"}, "macram.network_latency": {"torch"}}
+LATE = {"macram.cpu_latency": {"torch"}, "macram.network_latency": {"torch"}, "macram.network": {"torch"}}
 """Imported inside a function, for a measurement."""
 HARDWARE = {"amaranth": {"macram_hw"}, "cocotb": {"macram_sim"}, "cocotb_tools": {"macram_sim"}}
 

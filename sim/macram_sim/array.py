@@ -8,7 +8,7 @@ import os
 import shutil
 import tempfile
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.metadata import version
@@ -24,6 +24,7 @@ from macram.pack import PackedLayer
 from macram.spec import ArrayConfig
 from macram_sim.build import Build, SimulationError, build, waves_wanted
 from macram_sim.folders import build_root, locked
+from macram_sim.progress import watching
 from macram_sim.runner import choose_seed, run
 from macram_sim.streams import PATTERNS
 
@@ -74,6 +75,7 @@ def simulate(
     waves: bool | None = None,
     job_dir: Path | None = None,
     timeout: float | None = None,
+    told: Callable[[float], None] | None = None,
 ) -> SimulationResult:
     """Run an image through the exported Verilog of ``packed.array``.
 
@@ -94,6 +96,7 @@ def simulate(
         job_dir: where inputs, outputs, log and waveform go; default a folder under ``build_root() / "jobs"`` that is
             removed unless something fails or a waveform was wanted.
         timeout: seconds of simulation after which to give up.
+        told: called now and then, from another thread, with the share that is done; default lines on stderr.
 
     Raises:
         ValueError: an argument is out of range or the image does not fit the layer.
@@ -118,7 +121,7 @@ def simulate(
         part.write(folder / name)
     np.save(folder / "input.npy", input_codes.astype(np.int64))
     options = {"gaps": gaps, "stalls": stalls, "load": load, "seed": seed, "runs": runs, "snoop": snoop}
-    options["residual"] = residual is not None
+    options |= {"residual": residual is not None, "watched": told is not None}
     if residual is not None:
         rule, stream = residual
         np.savez(folder / "residual.npz", table=rule.table, bounds=rule.bounds, stream=stream)
@@ -126,17 +129,18 @@ def simulate(
     (folder / "job.json").write_text(json.dumps(options, indent=2) + "\n")
     for stale in ("output.npy", "sums.npy", "result.json"):
         (folder / stale).unlink(missing_ok=True)
-    done = run(
-        model,
-        "macram_sim.bench_array",
-        folder / "run",
-        seed=seed,
-        env={"MACRAM_JOB": str(folder)},
-        files=sorted((folder / names[0]).glob("*.mem")) if load == "file" else (),
-        random_init=random_init,
-        waves=waves,
-        timeout=timeout,
-    )
+    with watching(folder, told):
+        done = run(
+            model,
+            "macram_sim.bench_array",
+            folder / "run",
+            seed=seed,
+            env={"MACRAM_JOB": str(folder)},
+            files=sorted((folder / names[0]).glob("*.mem")) if load == "file" else (),
+            random_init=random_init,
+            waves=waves,
+            timeout=timeout,
+        )
     codes = np.load(folder / "output.npy")
     sums = np.load(folder / "sums.npy") if residual is not None else None
     result = json.loads((folder / "result.json").read_text())

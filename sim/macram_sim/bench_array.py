@@ -24,22 +24,35 @@ from macram.golden import ResidualRule
 from macram.pack import read_packed
 from macram.spec import BY_NAME, REGISTERS
 from macram_sim.clocks import start_clocks
+from macram_sim.progress import leave_share
 from macram_sim.transport import CocotbTransport
 
 PROGRESS_SECONDS = 2.0
 
 
 class Progress:
-    """A line on stderr with the share of output beats, every two seconds at most."""
+    """The share of output beats, every two seconds at most: a line on stderr, or a file for whoever watches it.
 
-    def __init__(self) -> None:
+    Args:
+        transfers: images that will run, passes counted one by one.
+        folder: where to leave the share of all of them together; None prints that of each.
+    """
+
+    def __init__(self, transfers: int, folder: Path | None) -> None:
         self._start = self._last = time.monotonic()
+        self._transfers, self._folder = transfers, folder
+        self._done = self._received = 0
 
     def __call__(self, received: int, expected: int) -> None:
-        """Print if the last line is old enough."""
+        """Tell if the last time is long enough ago."""
+        self._done += received < self._received
+        self._received = received
         now = time.monotonic()
         if now - self._last >= PROGRESS_SECONDS:
             self._last = now
+            if self._folder is not None:
+                leave_share(self._folder, (self._done + received / expected) / self._transfers)
+                return
             share = 100 * received / expected
             print(
                 f"  simulated {share:5.1f} % of {expected:,} output beats, {now - self._start:.0f} s",
@@ -67,8 +80,9 @@ async def run_job(dut: Any) -> None:
     job = json.loads((folder / "job.json").read_text())
     passes = [read_packed(folder / name) for name in job["passes"]]
     image = np.load(folder / "input.npy")
+    progress = Progress(job["runs"] * len(passes), folder if job["watched"] else None)
     transport = CocotbTransport(
-        dut, gaps=job["gaps"], stalls=job["stalls"], seed=job["seed"], progress=Progress()
+        dut, gaps=job["gaps"], stalls=job["stalls"], seed=job["seed"], progress=progress
     )
     start_clocks(dut)
     await transport.reset()

@@ -173,6 +173,7 @@ def run_layer_job(
     stage: Stage | None = None,
     expected: NDArray[np.int64] | None = None,
     job_dir: Path | None = None,
+    told: Callable[[float], None] | None = None,
 ) -> LayerRun:
     """Pack ``case``, simulate it on ``array`` and compare every output code with the golden model.
 
@@ -183,6 +184,7 @@ def run_layer_job(
         stage: opens a named stage, for progress.
         expected: golden codes where the caller has them already.
         job_dir: where inputs, log and waveform of the simulation go and stay; default a folder among the builds.
+        told: called now and then, from another thread, with the share of the simulation that is done.
 
     Raises:
         ValueError: the array does not admit the layer.
@@ -210,6 +212,7 @@ def run_layer_job(
             passes[0] if len(passes) == 1 else passes,
             case.input,
             job_dir=job_dir,
+            told=told,
             **dataclasses.asdict(traffic),
         )
     return LayerRun(

@@ -149,8 +149,15 @@ def estimate(
     # Sums left when the last needed pixel is in: those of the last output row, or of the last group.
     waits_for_row = rows_above and (layer.stride == 1 or layer.height % 2)
     groups_after = groups * bool(waits_for_row) + (layer.stride == 1 or not waits_for_row)
+    # Within the last row pixels may come faster than over all rows, of which a stride of 2 leaves every other to rest.
+    behind = 0 if waits_for_row else (groups - 1) * max(0, group_period - group_in * pixel_in)
     limits = {
-        "input": pixel_in * rows_used * layer.width + groups_after * group_period + drain,
+        "input": pixel_in * rows_used * layer.width
+        + 1
+        + behind
+        + groups_after * group_period
+        - (last_period - steps)
+        + drain,
         "output": fill + group_period - last_period + steps + to_output + pixels_out * pixel_out,
     }
     group_cycles = {"input": group_in * layer.stride * pixel_in, "output": GROUP * pixel_out}

@@ -17,6 +17,7 @@ from macram.cli import (
     evaluate_verb,
     experiments_verb,
     export_verb,
+    network_verb,
     predict_verb,
     synth_verb,
     train_verb,
@@ -61,6 +62,7 @@ examples:
   macram evaluate runs/a/model.safetensors --data data     score it
   macram predict photo.png -o poses --weights runs/a/model.safetensors     draw the pose it finds
   macram verify regression                     random layers, faults and resets, with functional coverage
+  macram network configs/zu3eg.toml            every convolution of the network simulated at full size
   macram sim                                   full-size reference layer and odd shapes, a table at the end
 
 exit status: 0 all well, 1 a check failed, 2 bad input or a missing tool
@@ -120,6 +122,7 @@ def parser() -> argparse.ArgumentParser:
     _hardware(verb)
     export_verb.add_export(verb)
     designs_verb.add_designs(verb)
+    network_verb.add_network(verb)
     synth_verb.add_parsers(verb)
     data_grammar.add_data(verb)
     counts_verb.add_parser(verb)

@@ -5,6 +5,7 @@ Every operation makes one tensor, named like the part of the network that it com
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -175,18 +176,24 @@ def run_golden(program: Program, codes: NDArray[np.integer]) -> dict[str, Codes]
     program.check_input(codes)
     tensors: dict[str, Codes] = {program.input: codes.astype(np.int64)}
     for op in program.ops:
-        match op:
-            case ConvOp():
-                acc = conv2d(tensors[op.source], op.weights, stride=op.spec.stride, padding=op.spec.padding)
-                tensors[op.name] = op.requant.apply(acc)
-            case AccumulateOp():
-                acc = conv2d(tensors[op.source], op.weights, stride=op.spec.stride, padding=op.spec.padding)
-                tensors[op.name] = acc.astype(np.int64)
-            case LookupOp():
-                tensors[op.name] = op.table[tensors[op.source] - op.low]
-            case AddOp():
-                branch = op.table[tensors[op.branch] - op.low]
-                if op.doubled:
-                    branch = branch.repeat(2, axis=1).repeat(2, axis=2)
-                tensors[op.name] = np.clip(tensors[op.stream] + branch, op.floor, op.ceiling)
+        tensors[op.name] = golden_tensor(op, tensors)
     return tensors
+
+
+def golden_tensor(op: Op, tensors: Mapping[str, Codes]) -> Codes:
+    """The tensor that ``op`` makes of those before it, in NumPy integers."""
+    match op:
+        case ConvOp():
+            acc = conv2d(tensors[op.source], op.weights, stride=op.spec.stride, padding=op.spec.padding)
+            return op.requant.apply(acc)
+        case AccumulateOp():
+            acc = conv2d(tensors[op.source], op.weights, stride=op.spec.stride, padding=op.spec.padding)
+            return acc.astype(np.int64)
+        case LookupOp():
+            return op.table[tensors[op.source] - op.low]
+        case AddOp():
+            branch = op.table[tensors[op.branch] - op.low]
+            if op.doubled:
+                branch = branch.repeat(2, axis=1).repeat(2, axis=2)
+            total: Codes = np.clip(tensors[op.stream] + branch, op.floor, op.ceiling)
+            return total

@@ -22,7 +22,7 @@ from macram.pose.metrics import add, re, te
 from macram.pose.rigid import Floats, camera_matrix
 from macram.quant import DeployedNetwork, host_codes, lower
 from macram.quant.network import QuantDarkNet53
-from macram.train.checkpoint import load_model
+from macram.train.checkpoint import Card, load_model
 from macram.train.predict import Predictor
 from macram.train.samples import box_of
 from macram.weights import Shipped
@@ -61,21 +61,7 @@ def learned_front(image: Path, network: Shipped, *, focal: float | None = None) 
     """
     predictor = Predictor.load(network.checked(), integer=True)
     card = predictor.card
-    picture = read_picture(image, colour=True, size=None)
-    known = _beside(image)
-    height, width = picture.shape[:2]
-    source = "given with --focal"
-    if focal is None and known is not None:
-        camera, source = camera_matrix(np.array(known["K"], np.float64).reshape(3, 3)), f"of {FRAMES}"
-    else:
-        if focal is None:
-            focal, source = (
-                card.focal,
-                "assumed: the focal length of the training; name the picture's with --focal",
-            )
-        if not focal > 0:
-            raise ValueError(f"--focal must be above 0, not {focal}")
-        camera = camera_matrix(np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1.0]]))
+    picture, camera, source, known = picture_and_camera(image, card, focal)
     found = predictor.detect(picture, camera)
     corners = box_of(np.array(card.keypoints))
     drawn = picture
@@ -93,9 +79,42 @@ def learned_front(image: Path, network: Shipped, *, focal: float | None = None) 
         "scores": network.about["scores"],
         "pose": None if found is None else found.to_dict(),
         "layer": REFERENCE_LAYER,
-        "errors": _errors(found.pose, known, corners, card.diameter) if found and known else None,
+        "errors": pose_errors(found.pose, known, corners, card.diameter) if found and known else None,
     }
     return LearnedFront(report, drawn, case, codes)
+
+
+def picture_and_camera(
+    image: Path, card: Card, focal: float | None
+) -> tuple[NDArray[np.uint8], Floats, str, dict[str, Any] | None]:
+    """A picture for a network, and what is known of it.
+
+    Args:
+        image: PNG or JPEG.
+        card: of the network.
+        focal: of the picture, pixels; None takes the camera beside the picture, else the training's.
+
+    Returns:
+        RGB ``[H, W, 3]``, intrinsics ``[3, 3]``, where they come from in words, and the frame's entry of `FRAMES`.
+
+    Raises:
+        ValueError: an unreadable picture, or a focal length that is not positive.
+    """
+    picture = read_picture(image, colour=True, size=None)
+    known = _beside(image)
+    height, width = picture.shape[:2]
+    if focal is None and known is not None:
+        return picture, camera_matrix(np.array(known["K"], np.float64).reshape(3, 3)), f"of {FRAMES}", known
+    source = "given with --focal"
+    if focal is None:
+        focal, source = (
+            card.focal,
+            "assumed: the focal length of the training; name the picture's with --focal",
+        )
+    if not focal > 0:
+        raise ValueError(f"--focal must be above 0, not {focal}")
+    camera = camera_matrix(np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1.0]]))
+    return picture, camera, source, known
 
 
 def reference_network(network: Shipped) -> tuple[QuantDarkNet53, dict[str, Any]]:
@@ -137,7 +156,15 @@ def _beside(image: Path) -> dict[str, Any] | None:
     return frames.get(image.name)
 
 
-def _errors(pose: Pose, known: dict[str, Any], corners: Floats, diameter: float) -> dict[str, float]:
+def pose_errors(pose: Pose, known: dict[str, Any], corners: Floats, diameter: float) -> dict[str, float]:
+    """How far a pose is from the truth ``known``: an entry of `FRAMES`.
+
+    Args:
+        pose: found.
+        known: with ``R`` and ``t_mm``.
+        corners: of the object's box, mm ``[8, 3]``.
+        diameter: of the object, mm.
+    """
     truth = Pose(np.array(known["R"], np.float64).reshape(3, 3), np.array(known["t_mm"], np.float64))
     r_est, t_est, r_gt, t_gt = pose.R[None], pose.t[None], truth.R[None], truth.t[None]
     return {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any, Self, cast
+from typing import Any, Protocol, Self, cast
 
 import cv2
 import numpy as np
@@ -30,6 +30,7 @@ from macram.pose.metrics import sample_vertices
 from macram.pose.rigid import Floats, camera_matrix
 from macram.quant import DeployedNetwork, host_codes, host_predictions, layer_differences, lower_network
 from macram.quant.network import QuantDarkNet53
+from macram.quant.program import Program
 from macram.train.checkpoint import Card, load_model
 
 Image = NDArray[np.uint8]
@@ -39,11 +40,22 @@ BATCH = 16
 VERTEX_SEED = 0
 
 
+class Deployed(Protocol):
+    """What runs an integer program: a `DeployedNetwork`, or hardware."""
+
+    program: Program
+
+    def accumulators(self, codes: Tensor) -> dict[str, Tensor]:
+        """``[C, H, W]`` codes of the program's input -> the sums that the host needs."""
+        ...
+
+
 class Predictor:
     """A network with all that turns its outputs into poses.
 
     Attributes:
         card: what the network is about.
+        deployed: what runs the integer program, by size of the picture; a `DeployedNetwork` where nothing is set.
 
     Args:
         net: in evaluation mode.
@@ -73,7 +85,7 @@ class Predictor:
         self.net = net.to(self.device)
         self.card, self.integer, self.settings, self.published = card, integer, settings, published
         self.keypoints = np.array(card.keypoints)
-        self._programs: dict[tuple[int, int], DeployedNetwork] = {}
+        self.deployed: dict[tuple[int, int], Deployed] = {}
 
     @classmethod
     def load(cls, path: Path, device: torch.device | None = None, *, integer: bool = False) -> Self:
@@ -148,9 +160,9 @@ class Predictor:
 
     def _deployed(self, picture: Tensor) -> tuple[Prediction, ...]:
         size = int(picture.shape[1]), int(picture.shape[2])
-        if size not in self._programs:
-            self._programs[size] = DeployedNetwork(lower_network(self.net, *size))
-        deployed = self._programs[size]
+        if size not in self.deployed:
+            self.deployed[size] = DeployedNetwork(lower_network(self.net, *size))
+        deployed = self.deployed[size]
         codes = host_codes(cast(QuantDarkNet53, self.net.backbone), picture)
         return host_predictions(deployed.program, deployed.accumulators(codes))
 
