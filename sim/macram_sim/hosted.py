@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 from macram.driver import COUNTERS
 from macram.pack import PackedLayer
 from macram_sim.array import build_array
-from macram_sim.build import SimulationError, build_root
+from macram_sim.build import SimulationError
+from macram_sim.folders import build_root
 from macram_sim.progress import watching
 from macram_sim.runner import run
 
