@@ -6,12 +6,16 @@ import os
 from pathlib import Path
 
 LONGEST = (
-    "test_formal.py",
     "test_reference_layer.py",
-    "test_gate_level.py",
-    "test_regression.py",
-    "test_large_images.py",
     "test_cycles.py",
+    "test_gate_level.py",
+    "test_runner.py",
+    "test_selftest.py",
+    "test_formal.py",
+    "test_partial_sums_sim.py",
+    "test_kinds.py",
+    "test_train_run.py",
+    "test_designs.py",
 )
 """Longest first. A file is one worker's: a long one that comes last leaves the other worker idle."""
 

@@ -2,7 +2,8 @@
 
 A finished build is one folder, ``<toplevel>-<key>`` in `build_root`, holding the executable and the build log.
 The key is the SHA-256 of everything that goes into it, so nothing is ever out of date and nothing needs cleaning
-to be right.
+to be right. What all models share (`macram_sim.runtime`) lies beside them in ``runtime-<key>`` and is compiled with
+the first.
 """
 
 from __future__ import annotations
