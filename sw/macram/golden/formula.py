@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from macram.spec import IntFormat
-from macram.spec.array import OFFSET_BITS
+from macram.spec.fixed import OFFSET_BITS
 
 OFFSET = IntFormat(OFFSET_BITS, signed=True)
 Int64 = NDArray[np.int64]
