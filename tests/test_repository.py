@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from macram.cli.app import parser
-from macram.spec.array import ENGINE_LATENCY, SECTIONS
+from macram.spec.fixed import ENGINE_LATENCY, SECTIONS
 
 ROOT = Path(__file__).resolve().parents[1]
 CODE = {

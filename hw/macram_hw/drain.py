@@ -5,7 +5,7 @@ from amaranth.lib import data, memory, stream, wiring
 from amaranth.lib.wiring import In, Out
 
 from macram.spec import GROUP, TAPS, ArrayConfig
-from macram.spec.array import SECTIONS
+from macram.spec.fixed import SECTIONS
 from macram_hw.engine import hdl_shape
 from macram_hw.gearbox import PixelWord
 from macram_hw.line_buffer import LineBuffer

@@ -4,7 +4,7 @@ from amaranth.hdl import Instance, Module, signed
 from amaranth.lib import wiring
 from amaranth.lib.wiring import In, Out
 
-from macram.spec.array import PACKED_BITS
+from macram.spec.fixed import PACKED_BITS
 
 __all__ = ["Product"]
 

@@ -5,7 +5,7 @@ from amaranth.lib import data, wiring
 from amaranth.lib.wiring import In, Out
 
 from macram.spec import GROUP, ArrayConfig
-from macram.spec.array import MULT_BITS, OFFSET_BITS, SHIFT_BITS
+from macram.spec.fixed import MULT_BITS, OFFSET_BITS, SHIFT_BITS
 from macram_hw.engine import adder_tree, hdl_shape
 
 __all__ = ["Requantiser"]

@@ -19,7 +19,7 @@ from macram.spec import (
     ceil_div,
     layer_passes,
 )
-from macram.spec.array import DECISION_TO_RESULT
+from macram.spec.fixed import DECISION_TO_RESULT
 
 RESULT_TO_OUTPUT = 5
 """Cycles from the last drained word to the first word in the output gearbox."""

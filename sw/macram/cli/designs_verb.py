@@ -39,6 +39,18 @@ def add_designs(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -
         metavar="DIR",
         help="where macram synth wrote its counts (default: build/synth); only those of the very same design are taken",
     )
+    sub.add_argument(
+        "--search",
+        metavar="DEVICE",
+        help="instead, rank every mix of units and engines that could fit DEVICE (xczu3eg) by the network's cycles: "
+        "search.json, search.md and search.png, with the limit that stops each array and the error of the LUT estimate",
+    )
+    sub.add_argument(
+        "--recount",
+        action="store_true",
+        help="with --search: synthesise the units behind the LUT estimate anew (many minutes) and take the arrays "
+        "zu3eg and paper from --synth; else the counts that come with the package are used",
+    )
     sub.add_argument("--simulate", action="store_true", help="run the reference layer on every array")
     sub.add_argument("--seed", type=int, default=2022, help="of the simulated codes (default: 2022)")
     sub.add_argument("-o", "--out", type=Path, default=Path("build/designs"), metavar="DIR")
@@ -53,6 +65,12 @@ def designs(arguments: argparse.Namespace) -> int:
     from macram.report.versions import machine, versions  # noqa: PLC0415
     from macram.spec import ArrayConfig  # noqa: PLC0415
 
+    if arguments.search is not None:
+        from macram.cli.designs_search import search_designs  # noqa: PLC0415
+
+        return search_designs(arguments, _runs(arguments.network))
+    if arguments.recount:
+        raise ValueError("--recount belongs to --search; name a device with --search xczu3eg")
     if arguments.seed < 0:
         raise ValueError(f"--seed must be 0 or more, not {arguments.seed}")
     arrays = [ArrayConfig.from_toml(path) for path in arguments.configs] or [ArrayConfig()]

@@ -52,7 +52,8 @@ def add_export(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) ->
         "--config",
         type=Path,
         metavar="CONFIG.toml",
-        help="array to build (default: configs/zu3eg.toml, the fastest that fits the board's device)",
+        help="array to build (default: configs/zu3eg.toml, of those that fit the board's device the fastest on the "
+        "reference layer)",
     )
     export.add_argument(
         "--synth", type=Path, metavar="DIR", help="where macram synth wrote its counts (default: build/synth)"

@@ -18,7 +18,7 @@ THEIRS = "#a9b3bd"
 def roofline_png(design: Design) -> bytes:
     """Rate of every layer over the products that a beat of its busier stream feeds; some layer must run."""
     rows = design.rows
-    figure, axis = _figure(7.6, 4.8)
+    figure, axis = figure_of(7.6, 4.8)
     peak = design.array.peak_macs
     reach = [min(row["macs_per_beat"] for row in rows) / 2, max(row["macs_per_beat"] for row in rows) * 2]
     reach = [min(reach[0], peak / 4), max(reach[1], peak * 4)]
@@ -45,7 +45,7 @@ def roofline_png(design: Design) -> bytes:
     axis.set(xlabel="MAC per beat of the busier image stream", ylabel="MAC per cycle")
     axis.set_title(f"Roofline of {design.array.name}", fontsize=11)
     axis.legend(fontsize=8, frameon=False, loc="lower right")
-    return _png(figure)
+    return png_of(figure)
 
 
 def latency_png(designs: Sequence[Design]) -> bytes:
@@ -80,7 +80,7 @@ def _label(design: Design, kind: str) -> str:
 
 
 def _bars(rows: Sequence[tuple[str, float, str]], label: str, title: str, form: str) -> bytes:
-    figure, axis = _figure(7.6, 0.9 + 0.36 * len(rows))
+    figure, axis = figure_of(7.6, 0.9 + 0.36 * len(rows))
     places = range(len(rows))
     axis.barh(places, [value for _, value, _ in rows], color=[colour for *_, colour in rows], height=0.68)
     for place, (_, value, _) in enumerate(rows):
@@ -90,10 +90,11 @@ def _bars(rows: Sequence[tuple[str, float, str]], label: str, title: str, form: 
     axis.margins(x=0.12)
     axis.set_xlabel(label, fontsize=9)
     axis.set_title(title, fontsize=11)
-    return _png(figure)
+    return png_of(figure)
 
 
-def _figure(width: float, height: float) -> tuple[Any, Any]:
+def figure_of(width: float, height: float) -> tuple[Any, Any]:
+    """An empty figure of so many inches, and its axes."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
     from matplotlib.figure import Figure  # noqa: PLC0415
 
@@ -106,7 +107,8 @@ def _figure(width: float, height: float) -> tuple[Any, Any]:
     return figure, axis
 
 
-def _png(figure: Any) -> bytes:
+def png_of(figure: Any) -> bytes:
+    """A figure as PNG, the same bytes for the same figures."""
     figure.tight_layout(pad=1.0)
     buffer = io.BytesIO()
     # Without matplotlib's version the picture depends on the figures alone.

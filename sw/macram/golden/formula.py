@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from macram.spec import IntFormat
-from macram.spec.array import OFFSET_BITS
+from macram.spec.fixed import OFFSET_BITS
 
 OFFSET = IntFormat(OFFSET_BITS, signed=True)
 Int64 = NDArray[np.int64]
@@ -50,8 +50,8 @@ def bias_and_shift(bias: NDArray[np.integer], shift: int) -> tuple[Float64, Floa
         )
     if not 0 <= shift < OFFSET_BITS:
         raise ValueError(f"shift must be in 0..{OFFSET_BITS - 1}, not {shift}")
-    step = 2.0**-shift
-    return np.full(bias.shape, step), (bias + 0.5) * step - 0.5
+    scale = np.full(bias.shape, 2.0**-shift, np.float64)
+    return scale, (bias.astype(np.float64) + 0.5) * scale - 0.5
 
 
 def first_true(

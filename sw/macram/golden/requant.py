@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from macram.golden.formula import Float64, Int64, first_true, float_code, staircase
 from macram.spec import ConvSpec, IntFormat, accumulator_range
-from macram.spec.array import MAX_THRESHOLD_BITS, MULT_BITS, OFFSET_BITS, SHIFT_BITS
+from macram.spec.fixed import MAX_THRESHOLD_BITS, MULT_BITS, OFFSET_BITS, SHIFT_BITS
 
 SUM_BITS = 48
 """``acc * mult``, the offset and their sum all fit this many bits, signed (the ALU of a DSP48E2)."""

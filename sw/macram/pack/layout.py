@@ -34,7 +34,7 @@ from macram.golden import ShiftRequant, ThresholdRequant
 from macram.pack.bits import Words, bits_to_words, from_bits, to_bits, words_to_bits
 from macram.pack.signed import Rise
 from macram.spec import TAPS, ArrayConfig, ConvSpec, IntFormat, accumulator_range
-from macram.spec.array import MULT_BITS, OFFSET_BITS, SHIFT_BITS
+from macram.spec.fixed import MULT_BITS, OFFSET_BITS, SHIFT_BITS
 
 Requant = ThresholdRequant | ShiftRequant
 

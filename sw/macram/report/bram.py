@@ -11,7 +11,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from macram.spec import GROUP, ArrayConfig, ConvSpec, ceil_div
-from macram.spec.array import SECTIONS
+from macram.spec.fixed import SECTIONS
 
 RAMB18_SHAPES = ((512, 36), (1024, 18), (2048, 9), (4096, 4), (8192, 2), (16384, 1))
 """Depth x width of half a RAMB36E2; 512 x 36 in simple dual port mode."""

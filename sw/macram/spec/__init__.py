@@ -1,14 +1,7 @@
 """Frozen, validated objects that the golden model, the packer and the gateware are all built from."""
 
-from macram.spec.array import (
-    ENGINE_LATENCY,
-    GROUP,
-    LANES,
-    MAX_SIDE,
-    RESIDUAL,
-    TAPS,
-    ArrayConfig,
-)
+from macram.spec.array import ArrayConfig
+from macram.spec.fixed import ENGINE_LATENCY, GROUP, LANES, MAX_SIDE, RESIDUAL, TAPS
 from macram.spec.formats import IntFormat, ceil_div, parse_format, signed_format_for
 from macram.spec.layer import ConvSpec, accumulator_format, accumulator_range
 from macram.spec.passes import LayerPass, layer_passes

@@ -2,50 +2,25 @@
 
 from __future__ import annotations
 
-import operator
-import re
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
+from macram.spec.admit import check_admits
+from macram.spec.buildable import check_fields
+from macram.spec.fixed import (
+    DECISION_TO_RESULT,
+    ENGINE_LATENCY,
+    GROUP,
+    MAX_THRESHOLD_BITS,
+    MULT_BITS,
+    OFFSET_BITS,
+    SHIFT_BITS,
+    TAPS,
+)
 from macram.spec.formats import IntFormat, ceil_div, signed_format_for
 from macram.spec.layer import ConvSpec, accumulator_format
 from macram.spec.tables import checked_values, read_table
-
-GROUP = 4
-"""Pixels of one row that a row engine takes per cycle."""
-TAPS = 3
-"""Taps of one kernel row; also the kernel rows of a 3x3 kernel."""
-LANES = GROUP + TAPS - 1
-"""Lane sums of one row engine: lane k of group g belongs to output column ``4 g + k - 1``."""
-SECTIONS = 4
-"""Pixel groups in the output buffer. With two, a drain as long as the reading would wait for its end."""
-MULT_BITS, OFFSET_BITS, SHIFT_BITS = 18, 48, 6
-"""Field widths of the multiplier-shift requantiser (5 to 8 output bits)."""
-MAX_THRESHOLD_BITS = 4
-"""Up to this many output bits the requantiser compares with thresholds."""
-STREAM_BITS = (32, 64, 128, 256, 512)
-"""Possible widths of TDATA."""
-RESIDUAL = IntFormat(8)
-"""Codes of a residual stream."""
-MAX_BRANCH_BITS = 3
-"""Most bits of the codes that the residual adder takes: its table lies in registers."""
-MAX_SUM_CHANNELS = 1 << 16
-"""Most input channels of a layer in blocks: at 8 bits their sums have 36 bits."""
-MAX_SIDE = 0xFFFF
-"""Largest height and width of an image."""
-ENGINE_LATENCY = {"portable": 1, "dsp48e2": 4, "dsp48e2_2x": 5, "soft": 1}
-"""Row-engine kinds and their latencies in cycles. ``portable``: plain multipliers. ``dsp48e2``: twelve products in
-one DSP slice of UltraScale+. ``dsp48e2_2x``: the same slice at twice the array's clock, serving two rows. ``soft``:
-products as tables in the LUTs of UltraScale+. All but the first take weights and unsigned activations of up to 3
-bits."""
-DECISION_TO_RESULT = 5
-"""Cycles from the decision of a compute step to its sum in the result registers, without the row engine's."""
-RAM_STYLES = ("block", "distributed")
-"""Values of the synthesis attribute ``ram_style``."""
-PACKED_BITS = 3
-"""Most bits of an operand of the kinds other than ``portable``: the lanes in a DSP slice lie 7 bits apart, and the
-operands of a product in LUTs fill the inputs of one LUT."""
 
 REQUIRED = {
     "name": "it tells this array's reports from others'",
@@ -53,8 +28,6 @@ REQUIRED = {
     "rows": "row engines per unit, for example rows = 8",
 }
 """Fields that a file must give, and what to say where it does not: without them it would be the reference array."""
-
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,75 +79,7 @@ class ArrayConfig:
     requant_ram: str = "block"
 
     def __post_init__(self) -> None:
-        if not _NAME.fullmatch(self.name):
-            raise ValueError(
-                f"name must be letters, digits, '.', '_' and '-', a letter or digit first, not {self.name!r}: it "
-                f"becomes part of file names"
-            )
-        limits = {
-            "units": (4, 1024), "rows": (1, 64), "max_c_in": (1, 8192), "max_c_out": (1, 8192),
-            "weight_depth": (3, 1 << 16), "row_words": (2, 1 << 16), "drain": (1, 64),
-        }  # fmt: skip
-        for key, (lo, hi) in limits.items():
-            value = operator.index(getattr(self, key))
-            if not lo <= value <= hi:
-                raise ValueError(f"{key} must be in {lo}..{hi}, not {value}")
-        if self.engine not in ENGINE_LATENCY:
-            raise ValueError(f"engine must be one of {', '.join(ENGINE_LATENCY)}, not {self.engine!r}")
-        if self.requant_ram not in RAM_STYLES:
-            raise ValueError(f"requant_ram must be one of {', '.join(RAM_STYLES)}, not {self.requant_ram!r}")
-        most = 0 if self.engine == "soft" else self.rows - 1
-        if not 0 <= self.soft_rows <= most:
-            raise ValueError(
-                f"soft_rows must be in 0..{most} with {self.rows} rows of engine {self.engine}, not {self.soft_rows}"
-            )
-        if self.paired_rows % 2:
-            raise ValueError(
-                f"engine {self.engine} serves rows in pairs: rows less soft_rows must be an even number, "
-                f"not {self.paired_rows}"
-            )
-        packed = [kind for kind in dict.fromkeys(self.row_kinds) if kind != "portable"]
-        if packed and (self.weight.bits > PACKED_BITS or self.input.bits > PACKED_BITS or self.input.signed):
-            raise ValueError(
-                f"engine {packed[0]} takes weights and unsigned inputs of up to {PACKED_BITS} bits, "
-                f"not {self.weight} and {self.input}; use portable"
-            )
-        for key in ("units", "drain"):
-            value = getattr(self, key)
-            if value & (value - 1):
-                raise ValueError(f"{key} must be a power of two, not {value}")
-        for key in ("weight", "input", "output"):
-            bits = getattr(self, key).bits
-            if not 2 <= bits <= 8:
-                raise ValueError(f"{key} bits must be in 2..8, not {bits}")
-        if not self.weight.signed:
-            raise ValueError(f"weight must be a signed format, not {self.weight}")
-        if self.stream_bits not in STREAM_BITS:
-            raise ValueError(f"stream_bits must be 32, 64, 128, 256 or 512, not {self.stream_bits!r}")
-        if self.residual_stream_bits not in (0, *STREAM_BITS):
-            raise ValueError(
-                f"residual_stream_bits must be 0, 32, 64, 128, 256 or 512, not {self.residual_stream_bits!r}"
-            )
-        if self.residual_stream_bits and (self.output.signed or self.output.bits > MAX_BRANCH_BITS):
-            raise ValueError(
-                f"the residual adder takes unsigned output codes of up to {MAX_BRANCH_BITS} bits, not "
-                f"{self.output}; leave residual_stream_bits at 0"
-            )
-        if self.ingest not in (1, 2, 4, 8):
-            raise ValueError(f"ingest must be 1, 2, 4 or 8, not {self.ingest!r}")
-        if self.units % (GROUP * self.drain):
-            raise ValueError(
-                f"units must be a multiple of 4 * drain = {GROUP * self.drain}, not {self.units}"
-            )
-        if self.row_words % self.ingest:
-            raise ValueError(f"row_words must be a multiple of ingest = {self.ingest}, not {self.row_words}")
-        if self.max_c_out % self.units:
-            raise ValueError(f"max_c_out must be a multiple of units = {self.units}, not {self.max_c_out}")
-        if self.partial_sum_c_in and not self.max_c_in <= self.partial_sum_c_in <= MAX_SUM_CHANNELS:
-            raise ValueError(
-                f"partial_sum_c_in must be 0 or in {self.max_c_in}..{MAX_SUM_CHANNELS} (from max_c_in), not "
-                f"{self.partial_sum_c_in}"
-            )
+        check_fields(self)
 
     # ---- derived widths -------------------------------------------------------------------------
 
@@ -367,49 +272,8 @@ class ArrayConfig:
         return layer.input.signed and not self.input.signed
 
     def check_admits(self, layer: ConvSpec) -> None:
-        """Refuse a layer that this array cannot run in one pass.
-
-        Raises:
-            ValueError: naming the first limit that is broken and the value that breaks it.
-        """
-        for key in ("weight", "input", "output"):
-            mine, theirs = getattr(self, key), getattr(layer, key)
-            raised = key == "input" and self.biased(layer) and mine.bits == theirs.bits
-            if mine != theirs and not raised:
-                raise ValueError(
-                    f"the array's {key} format is {mine}, the layer's is {theirs}; name an array with "
-                    f'{key} = "{theirs}"'
-                )
-        if layer.padding != layer.kernel // 2:
-            raise ValueError(
-                f"the array runs 3x3 kernels with padding 1 and 1x1 kernels with padding 0, not "
-                f"{layer.kernel}x{layer.kernel} with padding {layer.padding}"
-            )
-        if layer.c_in > self.max_c_in:
-            raise ValueError(
-                f"c_in must be at most {self.max_c_in}, not {layer.c_in}; build an array with a larger max_c_in, "
-                f"or with partial_sum_c_in = {layer.c_in}"
-            )
-        if layer.c_out > self.max_c_out:
-            raise ValueError(f"c_out must be at most {self.max_c_out}, not {layer.c_out}")
-        if max(layer.height, layer.width) > MAX_SIDE:
-            raise ValueError(f"height and width must be at most {MAX_SIDE}, not {layer.height}x{layer.width}")
-        words = self.weight_words(layer)
-        if words > self.weight_depth:
-            raise ValueError(
-                f"{layer.c_in} -> {layer.c_out} channels need {words} weight words per unit, "
-                f"the array has {self.weight_depth}; split the output channels, or set partial_sum_c_in"
-            )
-        row = self.line_words(layer)
-        if row > self.row_words:
-            # Channels in blocks shorten a row down to one ingest word per pixel.
-            shortest = self.groups(layer.out_width) * layer.stride * self.ingest
-            blocks = shortest <= self.row_words and not self.partial_sum_c_in
-            fix = "set partial_sum_c_in" if blocks else f"build an array with row_words = {row}"
-            raise ValueError(
-                f"a row of {layer.width} pixels x {layer.c_in} channels needs {row} line-buffer words, "
-                f"the array has {self.row_words}; split the width, or {fix}"
-            )
+        """Refuse a layer that this array cannot run in one pass, see `macram.spec.admit`."""
+        check_admits(self, layer)
 
     # ---- files ----------------------------------------------------------------------------------
 

@@ -6,7 +6,8 @@ import dataclasses
 import itertools
 from dataclasses import dataclass
 
-from macram.spec.array import TAPS, ArrayConfig
+from macram.spec.array import ArrayConfig
+from macram.spec.fixed import TAPS
 from macram.spec.formats import ceil_div
 from macram.spec.layer import ConvSpec
 

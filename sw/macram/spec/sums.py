@@ -15,7 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from macram.spec.array import GROUP, ArrayConfig
+from macram.spec.array import ArrayConfig
+from macram.spec.fixed import GROUP
 from macram.spec.formats import IntFormat
 from macram.spec.layer import ConvSpec
 

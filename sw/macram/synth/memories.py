@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from macram.spec import GROUP, ArrayConfig, ceil_div
-from macram.spec.array import SECTIONS
+from macram.spec.fixed import SECTIONS
 
 ROWS_HELD = 4
 """Image rows in the line buffer."""

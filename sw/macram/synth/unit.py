@@ -32,7 +32,9 @@ def count_unit(config: ArrayConfig, device: Device, folder: Path, *, timeout: fl
     small = dataclasses.replace(config, units=units, max_c_out=units * config.max_tiles)
     names = [name for name in export_sources(small, folder, contents=False) if name != f"{TOP}.v"]
     script = unit_script(f"read_verilog {' '.join(names)}\n", device)
-    run_yosys(f"{script}design -load unit\ntee -q -o stat.json stat -json\n", folder, name="unit", timeout=timeout)
+    run_yosys(
+        f"{script}design -load unit\ntee -q -o stat.json stat -json\n", folder, name="unit", timeout=timeout
+    )
     modules = read_stat(folder / "stat.json")
     total = dict.fromkeys(RESOURCES, 0.0)
     for module, times in instances(modules, UNIT).items():
