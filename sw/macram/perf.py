@@ -149,8 +149,12 @@ def estimate(
     # Sums left when the last needed pixel is in: those of the last output row, or of the last group.
     waits_for_row = rows_above and (layer.stride == 1 or layer.height % 2)
     groups_after = groups * bool(waits_for_row) + (layer.stride == 1 or not waits_for_row)
-    # Within the last row pixels may come faster than over all rows, of which a stride of 2 leaves every other to rest.
-    behind = 0 if waits_for_row else (groups - 1) * max(0, group_period - group_in * pixel_in)
+    # A group of the last row may still be computed when the pixels of those behind it are there: with a stride of 2
+    # they come twice as fast within a row as over all rows, and the last group may have few.
+    behind = 0
+    if not waits_for_row:
+        to_come = (max(0, layer.width - group * group_in) * pixel_in for group in range(1, groups + 1))
+        behind = max((groups - group) * group_period - left for group, left in enumerate(to_come, 1))
     limits = {
         "input": pixel_in * rows_used * layer.width
         + 1

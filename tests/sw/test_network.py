@@ -16,6 +16,7 @@ from macram.model.sizes import spacenet_config
 from macram.network import distinct_shapes, find_record, network_table, wanted_shapes
 from macram.network.page import HEAD, cells, markdown, summary, write_network
 from macram.network.record import record_path
+from macram.perf import estimate_passes
 from macram.spec import ArrayConfig
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -144,6 +145,22 @@ def test_a_stream_may_be_near(shapes):
     assert table.passed
     assert "Cycles are exactly the estimated ones in 0 of 1 shapes." in summary(table)
     assert sum("ok; input stream" in row for row in cells(table)) == 1
+
+
+@pytest.mark.parametrize(
+    ("label", "counted"),
+    [
+        ("128-64-128x128-1x1-1", 114_752),
+        ("256-128-64x64-1x1-1", 53_368),
+        ("1024-256-16x16-3x3-2", 53_332),
+        ("256-256-8x8-3x3-2", 2_651),
+    ],
+)
+def test_near_is_near(shapes, label, counted):
+    """Cycles that the array counted, docs/network-zu3eg.md, where its input stream is the limit."""
+    shape = next(shape for shape in shapes if shape.label == label)
+    assert abs(shape.cycles - counted) <= 4
+    assert {part.limited_by for part in estimate_passes(shape.spec, ZU3EG)} == {"input"}
 
 
 def test_pages_say_what_the_json_says(tmp_path, shapes):

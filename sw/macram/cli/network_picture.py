@@ -47,7 +47,7 @@ def network_picture(arguments: argparse.Namespace, array: ArrayConfig) -> int:
 
     def told(done: int, share: float) -> None:
         steps = network.steps
-        cycles = sum(step.cycles for step in steps[:done])
+        cycles: float = sum(step.cycles for step in steps[:done])
         here = ""
         if done < len(steps):
             # Of a convolution in passes, the share is that of the present one.

@@ -131,7 +131,9 @@ def _runs(size: str, side: int | None) -> tuple[int, list[dict[str, Any]]]:
     from macram.model.counts import PARTS, conv_runs  # noqa: PLC0415
     from macram.model.sizes import spacenet_config  # noqa: PLC0415
 
-    config = spacenet_config(size, "deployable", **({} if side is None else {"image_size": side}))
+    config = spacenet_config(size, "deployable")
+    if side is not None:
+        config = dataclasses.replace(config, image_size=side)
     runs = [dataclasses.asdict(run) for run in conv_runs(config) if run.part != PARTS[0]]
     return config.image_size, runs
 

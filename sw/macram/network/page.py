@@ -21,11 +21,11 @@ LEFT = {0, 2, 3, 16}
 NOTE = (
     "Cycles of one run; ms at 100 MHz. Simulated: the array's own counters, from the first input beat to the last "
     "output beat of each pass, streams undisturbed; loads of weights that do not hide behind a run are not among them. "
-    "Compared: output codes, of random inputs and weights, against the golden model; all codes have the array's formats, "
-    "while a deployed network takes 8-bit codes or sums from some of these layers. Unused: engines without work in a "
-    "compute step, because channels, columns or the kernel do not fill them. Fill: before the first step. Stall: "
-    "between steps, waiting for input, drain or output. Drain: after the last. Per DSP: of the slices in the row "
-    "engines. The estimate is exact where the engines are the limit, near where a stream is."
+    "Compared: output codes, of random inputs and weights, against the golden model; all codes have the array's "
+    "formats, while a deployed network takes 8-bit codes or sums from some of these layers. Unused: engines without "
+    "work in a compute step, because channels, columns or the kernel do not fill them. Fill: before the first step. "
+    "Stall: between steps, waiting for input, drain or output. Drain: after the last. Per DSP: of the slices in the "
+    "row engines. The estimate is exact where the engines are the limit, near where a stream is."
 )
 
 
