@@ -157,6 +157,28 @@ def test_the_command(tmp_path, small, capsys):
     assert ArrayConfig.from_dict(best["array"]).units in (32, 64)
 
 
+def test_recounting_writes_a_table_that_can_be_used(tmp_path, small, monkeypatch, capsys):
+    """Yosys and the reports of the two arrays are replaced; the table is the package's in form."""
+    monkeypatch.setattr("macram.synth.unit.unit_hash", lambda array: str(array.row_kinds))
+    monkeypatch.setattr("macram.synth.unit.count_unit", lambda array, *_, **__: {"lut": linear(array)[0]})
+
+    def counted(array, folder):
+        path = tmp_path / f"{array.name}.json"
+        words = 3_700 if array.requant_ram == "distributed" else 0
+        path.write_text(json.dumps(report(array, *linear(array), words)))
+        return {"mode": "hierarchical", "file": str(path)}
+
+    monkeypatch.setattr("macram.designs.find_resources", counted)
+    out = tmp_path / "out"
+    command = ["designs", "--search", "xczu3eg", "--recount", "--network", "tiny", "-o", str(out)]
+    assert main(command) == 0
+    assert "largest error 0.0 %" in capsys.readouterr().out
+    table, package = read_counts(out / "unit_counts.json"), read_counts()
+    assert table.keys() == package.keys()
+    assert [unit["kinds"] for unit in table["units"]] == [unit["kinds"] for unit in package["units"]]
+    assert json.loads((out / "search.json").read_text())["counts"] == str(out / "unit_counts.json")
+
+
 def test_older_counts_are_told(tmp_path, small, capsys, monkeypatch):
     monkeypatch.setattr("macram.synth.unit.unit_hash", lambda array: "0" * 64)
     assert main(["designs", "--search", "xczu3eg", "--network", "tiny", "-o", str(tmp_path)]) == 0
