@@ -98,6 +98,7 @@ def test_layer_writes_codes_and_report(simulator, layer_file, tmp_path, capsys):
         "seed": 7,
         "waves": False,
         "job_dir": None,
+        "told": None,
     }
     assert [call[1] for call in simulator.calls] == [options]
     assert "378 output codes compared, 0 differ" in capsys.readouterr().out
