@@ -42,7 +42,7 @@ def _unit() -> str:
     watched = [f"acc{k}" for k in lanes] + [f"sum{k}" for k in lanes]
     watched += [f"engine{row}_{k}" for row in range(rows) for k in lanes]
     watched += [f"{what}{k}" for k in CARRIES for what in ("read", "write")]
-    starts = ["read0", "q_edge ? 0 : read1", "0", "0", "0", "0"]
+    starts = ["q_carried ? read0 : 0", "q_carried && !q_edge ? read1 : 0", "0", "0", "0", "0"]
     # Ranges of the sums so far, for lanes of one, two and three products; one more step must fit the fan-in.
     limits = [
         (f"{name}{n}", n * bound * rows)
@@ -56,11 +56,14 @@ def _unit() -> str:
         f"(* anyseq *) wire [{taps - 1}:0] w0; (* anyseq *) wire [{pixels - 1}:0] p0; (* anyseq *) wire go;",
         f"reg [{taps - 1}:0] w1; always @(posedge clk) w1 <= w0;  // a cycle before its pixels",
         # Where nothing is to be added, the rest of the control is anything; edge and tile always are.
-        "(* anyseq *) wire [1:0] idle; (* anyseq *) wire any_last; (* anyseq *) wire [0:0] at_edge;",
+        "(* anyseq *) wire [1:0] idle; (* anyseq *) wire any_last, any_carried, any_unload;",
+        "(* anyseq *) wire [0:0] at_edge;",
         f"(* anyseq *) wire [{layout['tile'].width - 1}:0] tile;",
         f"always @* assume (tile < {UNIT.max_tiles});",
         "reg within = 0;  // a sum has begun and not ended",
         "wire [0:0] en = go && age > 4, first = en ? !within : idle[0], last = en ? any_last : idle[1];",
+        # Only a first step starts from what was carried, and only between steps it is unloaded.
+        "wire [0:0] unload = !en && any_unload, carried = (en ? first : 1'b1) && (unload || any_carried);",
         *(
             f"reg {wide} {name} = 0; wire {wide} {name}_next = (first ? 0 : {name}) + ({step});"
             for name, step in limits
@@ -75,7 +78,9 @@ def _unit() -> str:
         *(f"wire {wide} {name};" for name in watched),
         "dut dut(.clk(clk), .rst(rst), .weight(w0), .activations(p0), .shift(1'b0), .chain_i(0), .chain_o(chain),",
         "    .control("
-        + packed(layout, {n: n for n in ("en", "first", "last", "tile")} | {"edge": "at_edge"})
+        + packed(
+            layout, {n: n for n in ("en", "first", "carried", "last", "tile", "unload")} | {"edge": "at_edge"}
+        )
         + "),",
         "    " + ", ".join(f".watched_{name}({name})" for name in watched) + ");",
         # Plain lane sums: of each row, then of all, a register behind each as in the unit.
@@ -93,15 +98,17 @@ def _unit() -> str:
             for k in lanes
         ),
         # The control as the unit holds it, and the sums that cannot overflow.
-        "reg q_en = 0, q_first, q_last, q_edge, q_within = 0, ended = 0;",
+        "reg q_en = 0, q_first, q_last, q_edge, q_carried, q_unload = 0, q_within = 0, ended = 0, unloaded = 0;",
         *(
             f"reg {wide} run{k}; wire {wide} total{k} = (q_first ? ({starts[k]}) : run{k}) + plain{k};"
             for k in lanes
         ),
         *(f"always @* assume ({_within(f'read{k}', STEPS * rows * PRODUCTS[k + GROUP])});" for k in CARRIES),
+        *(f"reg {wide} was_read{k};" for k in CARRIES),
         "always @(posedge clk) begin",
-        "    {q_en, q_first, q_last, q_edge} <= {en && !rst, first, last, at_edge};",
-        "    ended <= q_en && q_last;",
+        "    {q_en, q_first, q_last, q_edge, q_carried} <= {en && !rst, first, last, at_edge, carried};",
+        "    q_unload <= unload && age > 4; ended <= q_en && q_last; unloaded <= q_unload;",
+        *(f"    was_read{k} <= read{k};" for k in CARRIES),
         "    if (q_en) begin",
         "        q_within <= !q_last;",
         *(f"        run{k} <= total{k};" for k in lanes),
@@ -140,6 +147,12 @@ def _unit() -> str:
         "    if (ended) begin",
         *(f"        assert ($signed(chain[{(s + 1) * acc - 1}:{s * acc}]) == run{s});" for s in range(GROUP)),
         "    end",
+        "    if (unloaded) begin",
+        *(
+            f"        assert ($signed(chain[{(s + 1) * acc - 1}:{s * acc}]) == was_read{k});"
+            for k, s in zip(CARRIES, (0, GROUP - 1), strict=True)
+        ),
+        "    end",
         "end",
     ]
     return OPENING + "".join(f"    {line}\n" for line in lines) + "endmodule\n"
@@ -169,6 +182,10 @@ ACCUMULATORS: tuple[Proof, ...] = (
                 _UNIT, "used = control.carried & ~control.edge if k == 1", "used = control.carried if k == 1"
             ),
             Break(_UNIT, "early.edge if k == 0 else None", "None"),
+            Break(_UNIT, "Mux(control.unload, value, self.chain_i[slot])", "self.chain_i[slot]"),
+            Break(
+                _UNIT, "read.addr.eq(Mux(used, control.tile", "read.addr.eq(Mux(control.first, control.tile"
+            ),
         ),
         fast=False,
     ),
