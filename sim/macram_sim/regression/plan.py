@@ -217,13 +217,17 @@ def _deal(options: Sequence[T], rng: random.Random) -> Iterator[T]:
 
 
 def _fit(array: ArrayConfig, spec: ConvSpec, block: str, beside: bool) -> ConvSpec:
-    """The layer, with fewer columns, output or input channels if the array has no room for it."""
+    """The layer, with fewer columns, channels or taps if the array has no room for it."""
     while not _fits(array, spec, block, beside):
         narrower = replace(spec, c_in=min(spec.c_in, array.rows) if block != "whole" else spec.c_in)
         if array.line_words(narrower) > array.row_words and spec.width > GROUP:
             spec = replace(spec, width=spec.width - GROUP)
         elif spec.c_out > array.units:
             spec = replace(spec, c_out=spec.c_out - array.units)
+        elif block != "whole" and (spec.kernel, spec.stride) != (1, 1):
+            # It must keep its channels to have so many blocks; two of them fit side by side with fewer taps.
+            kernel = spec.kernel if spec.stride > 1 else 1
+            spec = replace(spec, kernel=kernel, stride=1, padding=kernel // 2)
         else:
             spec = replace(spec, c_in=spec.c_in - 1)
     return spec

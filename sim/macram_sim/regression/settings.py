@@ -55,7 +55,11 @@ class Setting:
     def possible(self, array: ArrayConfig) -> bool:
         """Whether ``array`` has such runs."""
         runs = any(block in self.blocks for block in blocks_of(array))
-        return runs and (not self.residual or bool(array.residual_stream_bits))
+        return (
+            runs
+            and (not self.residual or bool(array.residual_stream_bits))
+            and (not self.beside or array.max_tiles > 1)
+        )
 
 
 _ANY, _LARGER = Setting(), Setting(larger=True)
