@@ -112,7 +112,8 @@ def refine_on_edges(
         return pose
     # Steps are placed in linear light: the response curve would move them towards the dark side.
     grey = image.astype(np.float32)
-    pictures = _smooth((grey / 255) ** _GAMMA, settings.blur_px), _smooth(grey, settings.blur_px)
+    linear = np.asarray((grey / 255) ** _GAMMA, np.float32)
+    pictures = _smooth(linear, settings.blur_px), _smooth(grey, settings.blur_px)
     for reach in settings.reach:
         for _ in range(_MEASUREMENTS):
             found = _search(pictures, matrix, R, t, box, max(reach * size, 1.0), settings)
@@ -162,7 +163,7 @@ def _search(
     normals = np.repeat(normal, settings.points, axis=0)
 
     half = int(np.ceil(reach / _STEP_PX))
-    offsets = np.arange(-half, half + 1) * _STEP_PX
+    offsets = np.asarray(np.arange(-half, half + 1) * _STEP_PX, np.float64)
     linear, smooth = (_steps(picture, pixels, normals, offsets) for picture in pictures)
     rows = np.arange(len(points))
     # Among steps alike the nearest is meant.

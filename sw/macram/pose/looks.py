@@ -94,7 +94,7 @@ def look_closer(image: Image, pose: Pose, K: Floats, keypoints: Floats, settings
     for turn in range(settings.turns):
         move = Draw(angle=2 * np.pi * turn / settings.turns, scale=zoom)
         warp = exact_warp(move, K, K, (settings.side, settings.side), pose, centred=True)
-        views.append(View(warp_image(image, warp), np.linalg.inv(warp.matrix)))
+        views.append(View(warp_image(image, warp), np.asarray(np.linalg.inv(warp.matrix), np.float64)))
     return views
 
 
