@@ -82,7 +82,8 @@ def test_visible_edges_by_how_many_sides_face_the_camera():
 
 
 @pytest.mark.parametrize(
-    ("values", "name"), [({"box": 0.0}, "box"), ({"nearer": float("nan")}, "nearer"), ({"reach": ()}, "reach")]
+    ("values", "name"),
+    [({"box": 0.0}, "box"), ({"nearer": float("nan")}, "nearer"), ({"reach": ()}, "reach")],
 )
 def test_settings_out_of_range(values, name):
     with pytest.raises(ValueError, match=name):
@@ -103,7 +104,9 @@ def test_derivatives_are_differences():
     assert np.allclose(pixels, project(K, R, t[:, None], BOX))
     for axis in range(6):
         move = step * np.eye(6)[axis]
-        change = (projected(K, *moved(R, t, move), BOX)[0] - projected(K, *moved(R, t, -move), BOX)[0]) / (2 * step)
+        change = (projected(K, *moved(R, t, move), BOX)[0] - projected(K, *moved(R, t, -move), BOX)[0]) / (
+            2 * step
+        )
         assert np.allclose(by_pose[..., axis], change, rtol=1e-4, atol=1e-5)
 
 

@@ -78,6 +78,7 @@ def evaluate(arguments: argparse.Namespace) -> int:
 
     from macram.data.files import write_picture  # noqa: PLC0415
     from macram.data.open import dataset_version, open_dataset  # noqa: PLC0415
+    from macram.data.speed import Speed  # noqa: PLC0415
     from macram.report.evaluation import write_evaluation  # noqa: PLC0415
     from macram.train.checkpoint import load_model  # noqa: PLC0415
     from macram.train.distributed import join_processes  # noqa: PLC0415
@@ -136,7 +137,11 @@ def evaluate(arguments: argparse.Namespace) -> int:
             f"{100 * alone:.4f} % of {codes:,} codes differ, layer by layer, between training graph and integers",
             highlight=False, soft_wrap=True,
         )  # fmt: skip
-    for line in (f"{table['frames']} frames, {table['misses']} without a pose: {shares}", str(paths[1])):
+    lines = [f"{table['frames']} frames, {table['misses']} without a pose: {shares}"]
+    if isinstance(dataset, Speed):
+        score = evaluation.summary["speed"]["count"]
+        lines.append(f"SPEED: e_q {score['e_q']:.4f}, e_t {score['e_t']:.4f}, sum {score['score']:.4f}")
+    for line in (*lines, str(paths[1])):
         console.print(line, highlight=False, markup=False, soft_wrap=True)
     return OK
 
