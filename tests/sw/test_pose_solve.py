@@ -4,7 +4,18 @@ import cv2
 import numpy as np
 import pytest
 
-from macram.pose import LevelCells, Pose, RansacSettings, add, box_corners, detect, epnp, project, solve_pnp
+from macram.pose import (
+    LevelCells,
+    Pose,
+    PoseSettings,
+    RansacSettings,
+    add,
+    box_corners,
+    detect,
+    epnp,
+    project,
+    solve_pnp,
+)
 from macram.pose import pnp as pnp_module
 
 K = np.array([[303.787, 0.0, 256.0], [0.0, 303.787, 256.0], [0.0, 0.0, 1.0]])
@@ -222,7 +233,7 @@ def test_a_scaled_input_gives_the_same_pose():
 
 def test_nothing_confident_is_no_detection():
     levels = outputs(random_pose(np.random.default_rng(14)))
-    assert detect(levels, (32, 64, 128), BOX, K, confidence=0.99) is None
+    assert detect(levels, (32, 64, 128), BOX, K, PoseSettings(confidence=0.99)) is None
     dead = [LevelCells(level.probability, np.full_like(level.points, 256.0)) for level in levels]
     assert detect(dead, (32, 64, 128), BOX, K) is None
     with pytest.raises(ValueError, match="predicts 8 keypoints"):

@@ -40,7 +40,7 @@ def released(rendered, root):
 @pytest.mark.parametrize("layout", ["rendered", "released"])
 @pytest.mark.slow
 @pytest.mark.timeout(600)
-def test_train_and_score(layout, rendered, tmp_path):
+def test_train_and_score(layout, rendered, tmp_path, capsys):
     root = rendered if layout == "rendered" else released(rendered, tmp_path / "SPEED")
     changes = {**SMALL, "data.root": root, "run.out": tmp_path / "run", "data.cache": tmp_path / "cache"}
     words = [word for key, value in changes.items() for word in ("--set", f"{key}={value}")]
@@ -57,4 +57,5 @@ def test_train_and_score(layout, rendered, tmp_path):
     assert speed["counted"] == table["summary"]["frames"] == 1
     assert speed["score"] == pytest.approx(speed["e_q"] + speed["e_t"])
     assert speed["score"] > 0
+    assert f"SPEED: e_q {speed['e_q']:.4f}, e_t {speed['e_t']:.4f}, sum" in capsys.readouterr().out
     assert "e_q + e_t" in (out / "evaluation.md").read_text()

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from macram.cli.examples import say_more
+from macram.cli.pose_options import OPTIONS, add_pose_options, pose_settings
 from macram.cli.status import OK
 
 if TYPE_CHECKING:
@@ -22,7 +23,8 @@ QUIET_S = 30.0
 DETAIL = (
     "Writes evaluation.json (every frame), evaluation.md, evaluation.png and samples.jpg. Pictures are brought to "
     "the focal length of the training first. A network in mode III is also compared with its deployed integers, layer "
-    "by layer, on a few frames; the table stands in evaluation.json and evaluation.md."
+    "by layer, on a few frames; the table stands in evaluation.json and evaluation.md. Scores to hold beside the "
+    "paper's take a single look; --looks and --edges spend more on every picture and find better poses."
 )
 COMPARED = 4
 """Frames on which training graph and integers are compared."""
@@ -30,6 +32,7 @@ EXAMPLES = """\
 examples:
   macram evaluate build/runs/quarter-wdr/model.safetensors --data build/data/mini
   macram evaluate build/runs/quarter-w3a3/model.safetensors --data build/data/mini --integer --limit 100
+  macram evaluate --weights quarter-float --data build/data/mini --looks 4 --edges 0.993
 
 A frame counts as right at 0.1d if the model's points lie, on average, less than a tenth of the object's diameter
 from where they should; a frame without a pose counts as wrong.
@@ -65,6 +68,7 @@ def add_evaluate(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) 
     sub.add_argument("--device", choices=("auto", "cpu", "cuda"), default="auto", help="default: auto")
     sub.add_argument("--no-refine", action="store_true", help="EPnP RANSAC alone, as published")
     sub.add_argument("--published", action="store_true", help="candidates and solver as published")
+    add_pose_options(sub)
 
 
 def evaluate(arguments: argparse.Namespace) -> int:
@@ -74,7 +78,7 @@ def evaluate(arguments: argparse.Namespace) -> int:
 
     from macram.data.files import write_picture  # noqa: PLC0415
     from macram.data.open import dataset_version, open_dataset  # noqa: PLC0415
-    from macram.pose import RansacSettings  # noqa: PLC0415
+    from macram.data.speed import Speed  # noqa: PLC0415
     from macram.report.evaluation import write_evaluation  # noqa: PLC0415
     from macram.train.checkpoint import load_model  # noqa: PLC0415
     from macram.train.distributed import join_processes  # noqa: PLC0415
@@ -86,16 +90,19 @@ def evaluate(arguments: argparse.Namespace) -> int:
     choice = arguments.weights or arguments.model
     if not choice or (arguments.weights and arguments.model):
         raise ValueError("name the network once: macram evaluate MODEL, or macram evaluate --weights MODEL")
+    settings = pose_settings(
+        arguments,
+        refine=not (arguments.no_refine or arguments.published),
+        published=arguments.published,
+    )
     path = weights_file(choice)
     net, card = load_model(path)
-    settings = RansacSettings(refine=not (arguments.no_refine or arguments.published))
     predictor = Predictor(
         net,
         card,
         join_processes("cpu" if arguments.integer else arguments.device).device,
         integer=arguments.integer,
         settings=settings,
-        published=arguments.published,
     )
     dataset = open_dataset(arguments.data)
     split = arguments.split or ("testing" if "testing" in dataset.splits else dataset.splits[-1])
@@ -110,7 +117,7 @@ def evaluate(arguments: argparse.Namespace) -> int:
         "form": _form(card.mode, card.bits, integer=arguments.integer),
         "data": f"{arguments.data}, {split}",
         "dataset": dataset_version(arguments.data),
-        "solver": "EPnP RANSAC" + (" and Levenberg-Marquardt" if settings.refine else ""),
+        "solver": settings.words,
         "command": _command(arguments, choice),
     }
     layers = []
@@ -130,7 +137,11 @@ def evaluate(arguments: argparse.Namespace) -> int:
             f"{100 * alone:.4f} % of {codes:,} codes differ, layer by layer, between training graph and integers",
             highlight=False, soft_wrap=True,
         )  # fmt: skip
-    for line in (f"{table['frames']} frames, {table['misses']} without a pose: {shares}", str(paths[1])):
+    lines = [f"{table['frames']} frames, {table['misses']} without a pose: {shares}"]
+    if isinstance(dataset, Speed):
+        score = evaluation.summary["speed"]["count"]
+        lines.append(f"SPEED: e_q {score['e_q']:.4f}, e_t {score['e_t']:.4f}, sum {score['score']:.4f}")
+    for line in (*lines, str(paths[1])):
         console.print(line, highlight=False, markup=False, soft_wrap=True)
     return OK
 
@@ -144,7 +155,7 @@ def _form(mode: str, bits: int, *, integer: bool) -> str:
 def _command(arguments: argparse.Namespace, choice: str) -> str:
     """What to type to get the same scores."""
     words = ["macram", "evaluate", choice, "--data", str(arguments.data)]
-    for option in ("split", "limit"):
+    for option in ("split", "limit", *OPTIONS):
         if value := getattr(arguments, option):
             words += [f"--{option}", str(value)]
     words += [

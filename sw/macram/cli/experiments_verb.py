@@ -55,10 +55,29 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
         "--limit", type=int, default=0, help="score only so many test frames; the record says so"
     )
 
+    integers = actions.add_parser(
+        "integers",
+        help="add the scores of a quantised row's deployed integers",
+        description="From the evaluation.json of macram evaluate --integer; the record says how many frames.",
+    )
+    integers.add_argument("row", help="as macram experiments list has it")
+    integers.add_argument("evaluation", type=Path, metavar="JSON", help="of this row's network")
+    integers.add_argument("--seed", type=int, help="default: the row's first seed")
+
+    inference = actions.add_parser(
+        "inference",
+        help="score ways to find poses with one trained network",
+        description="Every way on the validation split, the chosen ones on the test split; results/inference.json. "
+        "First the box of visible edges is measured on training frames with their true poses. What the record has "
+        "is not scored again.",
+    )
+    inference.add_argument("model", type=Path, metavar="MODEL", help="model.safetensors of a run")
+    inference.add_argument("--limit", type=int, default=0, help="only so many frames; the record says so")
+
     table = actions.add_parser("table", help="make docs/results.md and its pictures from the records")
     table.add_argument("-o", "--out", type=Path, default=Path("docs"), metavar="DIR", help="default: docs")
 
-    for action in (rows, run, record, table):
+    for action in (rows, run, record, integers, inference, table):
         action.add_argument("--plan", type=Path, default=Path("configs/experiments.toml"), metavar="TOML",
                             help="default: configs/experiments.toml")  # fmt: skip
         action.add_argument(
@@ -156,6 +175,34 @@ def _record(arguments: argparse.Namespace) -> int:
     return OK
 
 
+def _integers(arguments: argparse.Namespace) -> int:
+    from macram.experiments.integers import record_integers  # noqa: PLC0415
+    from macram.experiments.plan import Job, read_plan  # noqa: PLC0415
+
+    plan = read_plan(arguments.plan)
+    row = plan.row(arguments.row)
+    job = Job(plan, row, row.seeds[0] if arguments.seed is None else arguments.seed)
+    print(record_integers(job, arguments.evaluation, arguments.results))
+    return OK
+
+
+def _inference(arguments: argparse.Namespace) -> int:
+    from macram.cli.console import open_console  # noqa: PLC0415
+    from macram.experiments.inference import TRIES, try_all  # noqa: PLC0415
+    from macram.experiments.plan import read_plan  # noqa: PLC0415
+
+    console, data = open_console(), read_plan(arguments.plan).data
+
+    def told(name: str, done: int, total: int) -> None:
+        if done == total:
+            console.print(f"{name}: {total} frames scored", highlight=False, markup=False, soft_wrap=True)
+
+    with console.status("scoring"):
+        path = try_all(arguments.model, data, arguments.results / TRIES, limit=arguments.limit, told=told)
+    console.print(str(path), highlight=False, markup=False, soft_wrap=True)
+    return OK
+
+
 def _table(arguments: argparse.Namespace) -> int:
     from macram.experiments.page import write_page  # noqa: PLC0415
     from macram.experiments.plan import read_plan  # noqa: PLC0415
@@ -164,4 +211,11 @@ def _table(arguments: argparse.Namespace) -> int:
     return OK
 
 
-ACTIONS = {"list": _list, "run": _run, "record": _record, "table": _table}
+ACTIONS = {
+    "list": _list,
+    "run": _run,
+    "record": _record,
+    "integers": _integers,
+    "inference": _inference,
+    "table": _table,
+}

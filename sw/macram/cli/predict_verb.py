@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from macram.cli.examples import say_more
+from macram.cli.pose_options import add_pose_options, pose_settings
 from macram.cli.status import OK
 
 if TYPE_CHECKING:
@@ -25,6 +26,7 @@ EXAMPLES = """\
 examples:
   macram predict photo.png -o build/poses --weights build/runs/quarter-wdr/model.safetensors --focal 620
   macram predict build/data/mini/testing/seq_*/000000/rgb/*.png -o build/poses --weights model.safetensors
+  macram predict photo.png -o build/poses --weights quarter-float --looks 4 --edges 0.993
 """
 
 
@@ -43,6 +45,7 @@ def add_predict(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -
     sub.add_argument("--focal", type=float, help="focal length of the pictures in pixels")
     sub.add_argument("--integer", action="store_true", help="run the deployed integers (mode III, CPU)")
     sub.add_argument("--device", choices=("auto", "cpu", "cuda"), default="auto", help="default: auto")
+    add_pose_options(sub)
 
 
 def predict(arguments: argparse.Namespace) -> int:
@@ -58,9 +61,11 @@ def predict(arguments: argparse.Namespace) -> int:
     from macram.train.samples import box_of  # noqa: PLC0415
     from macram.weights import weights_file  # noqa: PLC0415
 
-    names = _names(arguments.images)
+    names, settings = _names(arguments.images), pose_settings(arguments)
     device = join_processes("cpu" if arguments.integer else arguments.device).device
-    predictor = Predictor.load(weights_file(arguments.weights), device, integer=arguments.integer)
+    predictor = Predictor.load(
+        weights_file(arguments.weights), device, integer=arguments.integer, settings=settings
+    )
     card = predictor.card
     # All pictures are read before the first result is written: a bad one leaves nothing behind.
     pictures = []
@@ -83,7 +88,8 @@ def predict(arguments: argparse.Namespace) -> int:
         table[name] = {"image": str(path), "cam_K": camera.ravel().tolist(), "pose": pose}
         console.print(f"{path}: {label}", highlight=False, markup=False, soft_wrap=True)
     about = {"weights": arguments.weights, "target": card.target, "mode": card.mode, "bits": card.bits}
-    write_json(arguments.out / "poses.json", {**about, "integer": arguments.integer, "poses": table})
+    about |= {"integer": arguments.integer, "solver": settings.words}
+    write_json(arguments.out / "poses.json", {**about, "poses": table})
     return OK
 
 

@@ -9,6 +9,7 @@ from macram.experiments import sections
 from macram.experiments.curves import curves_svg
 from macram.experiments.finished import finished
 from macram.experiments.plan import Plan
+from macram.experiments.tried import tried
 from macram.report.files import write_bytes, write_text
 
 PAGE = "results.md"
@@ -60,6 +61,7 @@ def page(plan: Plan, results: Path) -> str:
         *sections.cited(cited),
         *sections.curves(done),
         *sections.limits(done),
+        *tried(results),
         *sections.missing(plan, results),
     ]
     return "\n\n".join(parts) + "\n"

@@ -20,7 +20,8 @@ SHOWN = ("quarter-control.s2022", "quarter-w3a3.s2022")
 """Records whose frames are shown."""
 
 
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A Markdown table, its first column to the left."""
     lines = [head, ["---", *("---:" for _ in head[1:])], *rows]
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
@@ -44,7 +45,7 @@ def data(results: Path) -> list[str]:
         "`macram data render -o build/data/mini --recipe configs/cubesat1u-v1.toml`; statistics by "
         "`macram data info build/data/mini --json`. Depth in diameters of the target "
         f"({about['model']['diameter_mm']:g} mm).",
-        _table(["split", "frames", "sequences", "depth", *BUCKETS, "mask pixels at 5, 50, 95 %"], rows),
+        table(["split", "frames", "sequences", "depth", *BUCKETS, "mask pixels at 5, 50, 95 %"], rows),
     ]
 
 
@@ -67,7 +68,7 @@ def shipped(results: Path) -> list[str]:
         "table V counts; the file holds packed codes, what stays floating point, and a header. Scores are "
         "of the shipped "
         "file itself.",
-        _table(["name", "form", "parameters", "ideal", "codes", "floats", "header", "file",
+        table(["name", "form", "parameters", "ideal", "codes", "floats", "header", "file",
                 "ADD-0.1d %", "0.2d %", "0.5d %", "frames"], rows),
     ]  # fmt: skip
 
@@ -113,7 +114,7 @@ def questions(done: Sequence[Finished]) -> list[str]:
     parts = [
         f"## The paper's questions\n\nQuarter width, one training each (seed {rows[0].job.seed}, "
         f"{devices}). {SCORE_NOTE}",
-        _table(["row", *SCORE_COLUMNS], [[f.job.row.title, *_scores(f)] for f in rows]),
+        table(["row", *SCORE_COLUMNS], [[f.job.row.title, *_scores(f)] for f in rows]),
     ]
     by_name = {f.job.row.name: f for f in rows}
     control = by_name.get("quarter-control")
@@ -154,7 +155,7 @@ def seeds(plan: Plan, done: Sequence[Finished]) -> list[str]:
         ]
     return [
         f"{head}ADD-0.1d on all distances.",
-        _table(["row", "seeds", "mean %", "standard deviation"], rows),
+        table(["row", "seeds", "mean %", "standard deviation"], rows),
     ]
 
 
@@ -183,7 +184,29 @@ def quantised(done: Sequence[Finished], cited: dict[str, Any]) -> list[str]:
         "loss, on SwissCube, is against its float CA-SpaceNet. Operations and shares per mode, to every "
         "digit of table IV: "
         "`macram counts`.",
-        _table(["row", *SCORE_COLUMNS, "loss, points (95 %)", "paper's loss"], lines),
+        table(["row", *SCORE_COLUMNS, "loss, points (95 %)", "paper's loss"], lines),
+        *_integers([f for f in rows if f.integers is not None]),
+    ]
+
+
+def _integers(rows: Sequence[Finished]) -> list[str]:
+    """Deployed integers beside the training graph, on the frames the integers were scored on."""
+    lines = []
+    for f in rows:
+        scores = f.integers or {}
+        pairs = [
+            f"{scores['add'][limit]:.2f} / {scores['training_graph_add'][limit]:.2f}"
+            for limit in ("0.1", "0.2", "0.5")
+        ]
+        lines.append([f.job.row.title, *pairs, f"{scores['frames_apart']:,}", f"{scores['frames']:,}"])
+    if not lines:
+        return []
+    apart = rows[0].integers or {}
+    return [
+        "The scores above are of the training graph. Its deployed integers on the same frames (`macram evaluate "
+        "--integer`, then `macram experiments integers ROW JSON`), integers / training graph; *apart* counts "
+        f"frames whose ADD differs by more than {apart['apart_d']:g} d:",
+        table(["row", "ADD-0.1d %", "0.2d %", "0.5d %", "apart", "frames"], lines),
     ]
 
 
@@ -194,9 +217,9 @@ def cited(cited: dict[str, Any]) -> list[str]:
         "## Cited, not comparable\n\nAs the CA-SpaceNet paper prints them (`results/cited.toml`). "
         "ADI-0.1d in percent on SwissCube, "
         "other pictures and another spacecraft than ours:",
-        _table(["method", "near", "medium", "far", "all"], swisscube),
+        table(["method", "near", "medium", "far", "all"], swisscube),
         "SPEED, e_q + e_t:",
-        _table(["method", "score"], [[name, f"{value:.4f}"] for name, value in cited["speed"].items()]),
+        table(["method", "score"], [[name, f"{value:.4f}"] for name, value in cited["speed"].items()]),
     ]
 
 
@@ -222,20 +245,20 @@ def limits(done: Sequence[Finished]) -> list[str]:
     if not chosen:
         return []
     entry = chosen[0]
-    table = statistics.limits(entry.frames)
+    by_range = statistics.limits(entry.frames)
     rows = [
         [line["range"], str(line["frames"]), f"{line['add']:.1f}", f"{line['placed']:.1f}", f"{line['te_d']:.3f}",
          f"{line['re_deg']:.1f}", f"{line['flipped']:.1f}"]
-        for line in table
+        for line in by_range
     ]  # fmt: skip
-    every = table[-1]
-    worst = min(table[:-1], key=lambda line: line["placed"])
+    every = by_range[-1]
+    worst = min(by_range[:-1], key=lambda line: line["placed"])
     pixels = entry.table["ranges"]["all"]["proj"]["5"]
     return [
         f"## What limits accuracy\n\n{entry.job.row.title}. *Placed* is the share of frames whose "
         f"position alone is within 0.1 d, "
         f"*flipped* the share turned by more than {statistics.FLIP_DEG:g} degrees.",
-        _table(["range", "frames", "ADD-0.1d %", "placed %", "median position error, d", "median rotation error, deg",
+        table(["range", "frames", "ADD-0.1d %", "placed %", "median position error, d", "median rotation error, deg",
                 "flipped %"], rows),
         f"In the picture the poses fit: {pixels:.1f} % of all frames reproject within 5 pixels, against "
         f"{every['add']:.1f} % "

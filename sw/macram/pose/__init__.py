@@ -5,9 +5,11 @@ Names and units follow the BOP toolkit: ``R`` 3x3, ``t`` 3x1, millimetres, OpenC
 
 from macram.data.geometry import BOX_EDGES, box_corners, project, transform
 from macram.pose.correspond import Candidates, LevelCells, decode, level_quota, select_candidates
-from macram.pose.detection import Detection, detect
+from macram.pose.detection import Detection, PoseSettings, detect, detect_again
 from macram.pose.draw import draw_pose
+from macram.pose.edges import EdgeSettings, refine_on_edges
 from macram.pose.evaluation import Evaluation, GroundTruth, evaluate
+from macram.pose.looks import LookSettings
 from macram.pose.metrics import add, adi, proj, re, sample_vertices, te
 from macram.pose.pnp import PnpResult, RansacSettings, epnp, solve_pnp
 from macram.pose.rigid import Pose, camera_matrix
@@ -17,11 +19,14 @@ __all__ = [
     "BOX_EDGES",
     "Candidates",
     "Detection",
+    "EdgeSettings",
     "Evaluation",
     "GroundTruth",
     "LevelCells",
+    "LookSettings",
     "PnpResult",
     "Pose",
+    "PoseSettings",
     "RansacSettings",
     "SpeedScore",
     "add",
@@ -30,6 +35,7 @@ __all__ = [
     "camera_matrix",
     "decode",
     "detect",
+    "detect_again",
     "draw_pose",
     "epnp",
     "evaluate",
@@ -37,6 +43,7 @@ __all__ = [
     "proj",
     "project",
     "re",
+    "refine_on_edges",
     "sample_vertices",
     "select_candidates",
     "solve_pnp",

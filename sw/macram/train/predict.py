@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol, Self, cast
 
@@ -21,10 +22,11 @@ from macram.pose import (
     GroundTruth,
     LevelCells,
     Pose,
-    RansacSettings,
+    PoseSettings,
     decode,
-    detect,
+    detect_again,
     evaluate,
+    refine_on_edges,
 )
 from macram.pose.metrics import sample_vertices
 from macram.pose.rigid import Floats, camera_matrix
@@ -62,11 +64,10 @@ class Predictor:
         card: of ``net``.
         device: to run on.
         integer: run the integer program instead of the training graph, one picture at a time, on the CPU.
-        settings: of the pose solver.
-        published: select candidates as the published code does.
+        settings: how its outputs become a pose.
 
     Raises:
-        ValueError: ``integer`` with a network that has no integer form.
+        ValueError: ``integer`` with a network that has no integer form, or edges of a target that is no box.
     """
 
     def __init__(
@@ -76,26 +77,36 @@ class Predictor:
         device: torch.device | None = None,
         *,
         integer: bool = False,
-        settings: RansacSettings | None = None,
-        published: bool = False,
+        settings: PoseSettings | None = None,
     ) -> None:
         if integer and card.mode != "III":
             raise ValueError("only a network quantised in mode III runs as integers; leave --integer away")
         self.device = torch.device("cpu") if integer or device is None else device
         self.net = net.to(self.device)
-        self.card, self.integer, self.settings, self.published = card, integer, settings, published
+        self.card, self.integer, self.settings = card, integer, settings or PoseSettings()
+        if self.settings.edges is not None and not card.is_box:
+            raise ValueError(
+                f"{card.target}: its keypoints are no box, so its edges are not known; leave --edges away"
+            )
         self.keypoints = np.array(card.keypoints)
         self.deployed: dict[tuple[int, int], Deployed] = {}
 
     @classmethod
-    def load(cls, path: Path, device: torch.device | None = None, *, integer: bool = False) -> Self:
+    def load(
+        cls,
+        path: Path,
+        device: torch.device | None = None,
+        *,
+        integer: bool = False,
+        settings: PoseSettings | None = None,
+    ) -> Self:
         """From a run's ``model.safetensors``.
 
         Raises:
             ValueError: not such a file, or see the class.
         """
         net, card = load_model(path)
-        return cls(net, card, device, integer=integer)
+        return cls(net, card, device, integer=integer, settings=settings)
 
     def detect(self, image: Image, K: ArrayLike) -> Detection | None:
         """The pose of the object in an RGB picture ``[H, W, 3]`` with intrinsics ``K``, or None."""
@@ -111,16 +122,21 @@ class Predictor:
             while stop < min(len(inputs), start + BATCH) and inputs[stop][0].shape == shape:
                 stop += 1
             levels = self.levels([image for image, _ in inputs[start:stop]])
-            for cells, (_, camera) in zip(levels, inputs[start:stop], strict=True):
-                yield detect(
-                    cells,
-                    self.card.network.levels.anchors,
-                    self.keypoints,
-                    camera,
-                    settings=self.settings,
-                    published=self.published,
-                )
+            for n, cells in enumerate(levels, start):
+                yield self._detection(cells, inputs[n], pictures[n])
             start = stop
+
+    def _detection(
+        self, cells: list[LevelCells], fitted: tuple[Image, Floats], picture: tuple[Image, Floats]
+    ) -> Detection | None:
+        """Pose from the outputs for a picture as ``fitted`` to the network."""
+        image, camera = fitted
+        anchors = self.card.network.levels.anchors
+        found = detect_again(image, cells, anchors, self.keypoints, camera, self.levels, self.settings)
+        if found is None or self.settings.edges is None:
+            return found
+        pose = refine_on_edges(picture[0], found.pose, picture[1], self.keypoints, self.settings.edges)
+        return replace(found, pose=pose)
 
     def fit(self, image: Image, camera: Floats) -> tuple[Image, Floats]:
         """A picture at the focal length of the training, sides multiples of 32, and its intrinsics."""

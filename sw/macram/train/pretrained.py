@@ -73,7 +73,10 @@ def _own_name(name: str, path: Path) -> str:
 
 def _read(path: Path) -> dict[str, Tensor]:
     if not path.is_file():
-        raise ValueError(f"{path}: no such file of backbone weights")
+        raise ValueError(
+            f"{path}: no such file of backbone weights; put pytorchcv's darknet53 there, name another file with "
+            "--set run.backbone=FILE, or begin from random weights with --set run.backbone="
+        )
     if path.suffix == ".safetensors":
         try:
             return load_file(path)

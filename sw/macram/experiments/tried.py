@@ -1,0 +1,59 @@
+"""The section of ``docs/results.md`` on what was tried at inference."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from macram.data.files import read_json
+from macram.data.geometry import BUCKETS
+from macram.experiments.inference import TRIES
+from macram.experiments.sections import table
+
+LIMITS = ("0.1", "0.2", "0.5")
+HEAD = ("setting", "options", *BUCKETS, "ADD-0.1d %", "0.2d %", "0.5d %", "rotation, deg", "CPU s")
+
+
+def tried(results: Path) -> list[str]:
+    """Every setting on the validation split, the chosen ones on the test split; empty without a record."""
+    if not (results / TRIES).is_file():
+        return []
+    record = read_json(results / TRIES)
+    rows = {
+        split: [row for row in record["rows"] if row["split"] == split] for split in ("validation", "testing")
+    }
+    if not rows["validation"]:
+        return []
+    parts = [
+        f"## What was tried at inference\n\n`macram experiments inference MODEL` on `{record['network']}`, trained "
+        f"once, {rows['validation'][0]['frames']:,} frames of the validation split, which is harder than the test "
+        "split. All tables above this one take a single look, as the paper's evaluation does. *CPU s* is the time of "
+        "one core for a picture, network included; rotation is the median. *Looks* are turned crops around the "
+        "first pose, in which the target has 56 of 128 pixels; *edges* align the pose with the picture's steps of "
+        f"brightness along the edges of a box of {record['edge_box']:g} of the keypoints' box, measured on "
+        f"{record['edge_box_frames']} training frames with their true poses; they start 3 % nearer than the "
+        "keypoints say. Both are calibrated on training and validation frames alone.",
+        table(HEAD, [_line(row) for row in rows["validation"]]),
+    ]
+    if rows["testing"]:
+        parts += [
+            f"The chosen settings on the test split, {rows['testing'][0]['frames']:,} frames:",
+            table(HEAD, [_line(row) for row in rows["testing"]]),
+        ]
+    return parts
+
+
+def _line(row: dict[str, Any]) -> Sequence[str]:
+    return [
+        row["name"],
+        f"`{row['options']}`" if row["options"] else "",
+        *(_number(row["ranges"][bucket], 1) for bucket in BUCKETS),
+        *(f"{row['add'][limit]:.1f}" for limit in LIMITS),
+        _number(row["re_deg_median"], 1),
+        _number(row["seconds"], 3),
+    ]
+
+
+def _number(value: float | None, digits: int) -> str:
+    return "" if value is None else f"{value:.{digits}f}"
