@@ -1,4 +1,4 @@
-"""The small arrays of the regression: together they have every piece of logic that an array can have."""
+"""The small arrays of the regression: together they have every kind of engine, requantiser and stream."""
 
 from __future__ import annotations
 
