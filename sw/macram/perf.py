@@ -155,6 +155,7 @@ def estimate(
     if not waits_for_row:
         to_come = (max(0, layer.width - group * group_in) * pixel_in for group in range(1, groups + 1))
         behind = max((groups - group) * group_period - left for group, left in enumerate(to_come, 1))
+        behind += behind > 0  # the cycle between the pixels' coming and the first step
     limits = {
         "input": pixel_in * rows_used * layer.width
         + 1

@@ -16,7 +16,7 @@ HEAD = (
     "first of them", "times", "shape", "kernel", "passes", "estimated", "simulated", "compared", "differ",
     "MAC/cycle", "per DSP", "of peak", *LOSSES, "ms", "",
 )  # fmt: skip
-LEFT = {0, 2, 3, 16}
+LEFT = {0, 2, 3, 17}
 """Columns of text."""
 NOTE = (
     "Cycles of one run; ms at 100 MHz. Simulated: the array's own counters, from the first input beat to the last "
