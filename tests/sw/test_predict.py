@@ -15,7 +15,7 @@ from macram.cli.evaluate_verb import add_evaluate, evaluate
 from macram.cli.predict_verb import add_predict, predict
 from macram.data.open import open_dataset
 from macram.model import SpaceNet, spacenet_config
-from macram.pose import Candidates, EdgeSettings, LevelCells, Pose, PoseSettings, project
+from macram.pose import Candidates, EdgeSettings, LevelCells, Pose, PoseSettings, project, refine_on_edges
 from macram.quant import calibrate_batch_norm, calibrate_steps, quantise
 from macram.train.checkpoint import Card, load_model, save_model
 from macram.train.predict import Predictor, evaluate_frames
@@ -282,6 +282,11 @@ def test_looks_and_edges_run_in_every_form(form, scene, tmp_path, request, monke
         Predictor, "levels", lambda self, images: seen.extend(i.shape for i in images) or real(self, images)
     )
     monkeypatch.setattr("macram.pose.detection.select_candidates", _four_cells)
+    boxes = []
+    follow = refine_on_edges
+    monkeypatch.setattr(
+        "macram.train.predict.refine_on_edges", lambda *a: boxes.append(a[-1].box) or follow(*a)
+    )
     model = request.getfixturevalue(form)
     chosen = ["evaluate", model, "--data", scene, "--split", "validation", "--limit", 1, "-o", tmp_path]
     options = ["--looks", 2, "--edges", 0.98, *(["--integer"] if form == "quantised" else [])]
@@ -290,6 +295,7 @@ def test_looks_and_edges_run_in_every_form(form, scene, tmp_path, request, monke
     assert details["solver"] == "EPnP RANSAC, Levenberg-Marquardt, 2 second looks, edges of a box of 0.98"
     assert "--looks 2 --edges 0.98" in details["command"]
     assert seen.count((128, 128, 3)) == 2
+    assert boxes == [0.98]
 
 
 @pytest.mark.parametrize(

@@ -93,7 +93,7 @@ ALL = (
     Try("edges, keypoints holding three times as fast", _edges(hold=0.033)),
     Try("edges, reach doubled at first", _edges(reach=(0.12, 0.06, 0.04, 0.025))),
     Try("4 looks, edges", _looks(edges=True), "--looks 4 --edges BOX", tested=True),
-    Try("8 looks, edges", _looks(edges=True, turns=8), "--looks 8 --edges BOX"),
+    Try("8 looks, edges", _looks(edges=True, turns=8), "--looks 8 --edges BOX", tested=True),
 )  # fmt: skip
 
 
