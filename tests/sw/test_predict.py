@@ -15,7 +15,7 @@ from macram.cli.evaluate_verb import add_evaluate, evaluate
 from macram.cli.predict_verb import add_predict, predict
 from macram.data.open import open_dataset
 from macram.model import SpaceNet, spacenet_config
-from macram.pose import LevelCells, project
+from macram.pose import Candidates, EdgeSettings, LevelCells, Pose, PoseSettings, project, refine_on_edges
 from macram.quant import calibrate_batch_norm, calibrate_steps, quantise
 from macram.train.checkpoint import Card, load_model, save_model
 from macram.train.predict import Predictor, evaluate_frames
@@ -261,3 +261,54 @@ def test_evaluate_runs_the_integers(scene, quantised, tmp_path):
     assert all(row["alone"] <= 0.05 for row in table["layers"])
     assert "| head.p3.pose.conv2.input |" in (tmp_path / "evaluation.md").read_text()
     assert Path(table["details"]["network"]) == quantised
+
+
+def _four_cells(levels, anchors, **options):
+    """What a trained network would give in the middle of a view: an untrained one's cells say nothing."""
+    pose = Pose(cv2.Rodrigues(np.array([0.5, 0.6, 0.1]))[0], np.array([0.0, 0.0, 5 * DIAMETER]))
+    points = project(np.array([[FOCAL, 0, 32], [0, FOCAL, 32], [0, 0, 1]]), pose.R, pose.t, CORNERS)
+    size = float(np.ptp(points, axis=0).max())
+    return Candidates(
+        np.repeat(points[None], 4, 0), np.ones(4), np.zeros(4, int), np.arange(4), size, np.full(5, 4)
+    )
+
+
+@pytest.mark.parametrize("form", ["weights", "quantised"])
+def test_looks_and_edges_run_in_every_form(form, scene, tmp_path, request, monkeypatch):
+    """Crops go through the network, float or integer; the answer names what found it."""
+    seen = []
+    real = Predictor.levels
+    monkeypatch.setattr(
+        Predictor, "levels", lambda self, images: seen.extend(i.shape for i in images) or real(self, images)
+    )
+    monkeypatch.setattr("macram.pose.detection.select_candidates", _four_cells)
+    boxes = []
+    follow = refine_on_edges
+    monkeypatch.setattr(
+        "macram.train.predict.refine_on_edges", lambda *a: boxes.append(a[-1].box) or follow(*a)
+    )
+    model = request.getfixturevalue(form)
+    chosen = ["evaluate", model, "--data", scene, "--split", "validation", "--limit", 1, "-o", tmp_path]
+    options = ["--looks", 2, "--edges", 0.98, *(["--integer"] if form == "quantised" else [])]
+    assert evaluate(parse(add_evaluate, *chosen, *options)) == 0
+    details = json.loads((tmp_path / "evaluation.json").read_text())["details"]
+    assert details["solver"] == "EPnP RANSAC, Levenberg-Marquardt, 2 second looks, edges of a box of 0.98"
+    assert "--looks 2 --edges 0.98" in details["command"]
+    assert seen.count((128, 128, 3)) == 2
+    assert boxes == [0.98]
+
+
+@pytest.mark.parametrize(
+    "options", [("--looks", -1), ("--edges", -0.5), ("--edges", "nan"), ("--looks", 1000)]
+)
+def test_options_out_of_range_leave_nothing(options, scene, weights, tmp_path):
+    out = tmp_path / "out"
+    with pytest.raises(ValueError, match=options[0].lstrip("-")):
+        evaluate(parse(add_evaluate, "evaluate", weights, "--data", scene, "-o", out, *options))
+    assert not out.exists()
+
+
+def test_edges_want_a_box():
+    net, card = network()
+    with pytest.raises(ValueError, match="leave --edges away"):
+        Predictor(net, replace(card, is_box=False), settings=PoseSettings(edges=EdgeSettings()))

@@ -67,11 +67,16 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
     inference = actions.add_parser(
         "inference",
         help="score ways to find poses with one trained network",
-        description="Every way on the validation split, the chosen ones on the test split; results/inference.json. "
+        description="Every way on the validation split, the chosen ones on the test split; results/inference-RUN.json. "
         "First the box of visible edges is measured on training frames with their true poses. What the record has "
         "is not scored again.",
     )
     inference.add_argument("model", type=Path, metavar="MODEL", help="model.safetensors of a run")
+    inference.add_argument(
+        "--integer",
+        action="store_true",
+        help="the deployed integers (mode III), chosen ways, test split alone",
+    )
     inference.add_argument("--limit", type=int, default=0, help="only so many frames; the record says so")
 
     table = actions.add_parser("table", help="make docs/results.md and its pictures from the records")
@@ -188,7 +193,7 @@ def _integers(arguments: argparse.Namespace) -> int:
 
 def _inference(arguments: argparse.Namespace) -> int:
     from macram.cli.console import open_console  # noqa: PLC0415
-    from macram.experiments.inference import TRIES, try_all  # noqa: PLC0415
+    from macram.experiments.inference import tries_file, try_all  # noqa: PLC0415
     from macram.experiments.plan import read_plan  # noqa: PLC0415
 
     console, data = open_console(), read_plan(arguments.plan).data
@@ -198,7 +203,14 @@ def _inference(arguments: argparse.Namespace) -> int:
             console.print(f"{name}: {total} frames scored", highlight=False, markup=False, soft_wrap=True)
 
     with console.status("scoring"):
-        path = try_all(arguments.model, data, arguments.results / TRIES, limit=arguments.limit, told=told)
+        path = try_all(
+            arguments.model,
+            data,
+            arguments.results / tries_file(arguments.model, integer=arguments.integer),
+            limit=arguments.limit,
+            integer=arguments.integer,
+            told=told,
+        )
     console.print(str(path), highlight=False, markup=False, soft_wrap=True)
     return OK
 

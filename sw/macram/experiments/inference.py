@@ -34,9 +34,14 @@ from macram.train.pack import thinned
 from macram.train.predict import Predictor, evaluate_frames
 from macram.weights import sha256
 
-TRIES = "inference.json"
+TRIES = "inference-*.json"
 MEASURED_ON = 250
 """Training frames that the box of edges is measured on."""
+
+
+def tries_file(model: Path, *, integer: bool) -> str:
+    """Name of a network's record: of the folder of its run."""
+    return TRIES.replace("*", f"{model.resolve().parent.name}{'-integers' if integer else ''}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +93,7 @@ ALL = (
     Try("edges, keypoints holding three times as fast", _edges(hold=0.033)),
     Try("edges, reach doubled at first", _edges(reach=(0.12, 0.06, 0.04, 0.025))),
     Try("4 looks, edges", _looks(edges=True), "--looks 4 --edges BOX", tested=True),
-    Try("8 looks, edges", _looks(edges=True, turns=8), "--looks 8 --edges BOX"),
+    Try("8 looks, edges", _looks(edges=True, turns=8), "--looks 8 --edges BOX", tested=True),
 )  # fmt: skip
 
 
@@ -144,6 +149,7 @@ def try_all(
     out: Path,
     *,
     limit: int = 0,
+    integer: bool = False,
     tries: Sequence[Try] = ALL,
     told: Callable[[str, int, int], None] | None = None,
 ) -> Path:
@@ -154,6 +160,7 @@ def try_all(
         data: data set with the splits training, validation and testing.
         out: the record; begun anew where it is of another network, data set or limit.
         limit: only so many frames of a split; 0 for all.
+        integer: the deployed integers of a network in mode III, on the test split alone.
         tries: the settings.
         told: called with the name of a setting, the frames scored and their total.
 
@@ -163,7 +170,12 @@ def try_all(
     dataset, (net, card) = open_dataset(data), load_model(model)
     about = {
         "format": 1,
-        "network": model.parent.name,
+        "network": model.resolve().parent.name,
+        "form": f"{card.bits} bit, deployed integers"
+        if integer
+        else "training graph"
+        if card.mode
+        else "float32",
         "model_sha256": sha256(model),
         "dataset": dataset_version(data),
         "limit": limit,
@@ -174,9 +186,9 @@ def try_all(
         box = edge_box(thinned(dataset.frames("training"), MEASURED_ON))
         record = {**about, "edge_box": box, "edge_box_frames": MEASURED_ON, "rows": []}
         write_json(out, record)
-    for split in ("validation", "testing"):
+    for split in ("testing",) if integer else ("validation", "testing"):
         frames = thinned(dataset.frames(split), limit)
-        predictor = _Remembering(net, card)
+        predictor = _Remembering(net, card, integer=integer)
         for entry in tries:
             done = any((row["name"], row["split"]) == (entry.name, split) for row in record["rows"])
             if done or (split == "testing" and not entry.tested):

@@ -10,6 +10,7 @@ import numpy as np
 from macram.data.files import read_json
 from macram.experiments.plan import Job, read_result
 from macram.experiments.statistics import read_frames
+from macram.pose import PoseSettings
 from macram.pose.evaluation import DISTANCE_THRESHOLDS_D
 from macram.report.files import write_json
 
@@ -44,6 +45,10 @@ def record_integers(job: Job, scored: Path, results: Path) -> Path:
         ) from None
     if "integers" not in form:
         raise ValueError(f"{scored}: is of the form {form!r}; evaluate with --integer")
+    if details.get("solver") != PoseSettings().words:
+        raise ValueError(
+            f"{scored}: poses by {details.get('solver')}; the record takes macram evaluate's default"
+        )
     if sha != record["model_sha256"]:
         raise ValueError(f"{scored}: is of another network than the record {job.key}; evaluate that one")
     place = {name: n for n, name in enumerate(frames.names)}

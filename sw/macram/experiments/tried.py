@@ -17,31 +17,38 @@ HEAD = ("setting", "options", *BUCKETS, "ADD-0.1d %", "0.2d %", "0.5d %", "rotat
 
 def tried(results: Path) -> list[str]:
     """Every setting on the validation split, the chosen ones on the test split; empty without a record."""
-    if not (results / TRIES).is_file():
-        return []
-    record = read_json(results / TRIES)
-    rows = {
-        split: [row for row in record["rows"] if row["split"] == split] for split in ("validation", "testing")
-    }
-    if not rows["validation"]:
-        return []
-    parts = [
-        f"## What was tried at inference\n\n`macram experiments inference MODEL` on `{record['network']}`, trained "
-        f"once, {rows['validation'][0]['frames']:,} frames of the validation split, which is harder than the test "
-        "split. All tables above this one take a single look, as the paper's evaluation does. *CPU s* is the time of "
-        "one core for a picture, network included; rotation is the median. *Looks* are turned crops around the "
-        "first pose, in which the target has 56 of 128 pixels; *edges* align the pose with the picture's steps of "
-        f"brightness along the edges of a box of {record['edge_box']:g} of the keypoints' box, measured on "
-        f"{record['edge_box_frames']} training frames with their true poses; they start 3 % nearer than the "
-        "keypoints say. Both are calibrated on training and validation frames alone.",
-        table(HEAD, [_line(row) for row in rows["validation"]]),
-    ]
-    if rows["testing"]:
-        parts += [
-            f"The chosen settings on the test split, {rows['testing'][0]['frames']:,} frames:",
-            table(HEAD, [_line(row) for row in rows["testing"]]),
-        ]
-    return parts
+    records = [read_json(path) for path in sorted(results.glob(TRIES))]
+    parts = []
+    for record in records:
+        rows = _rows(record, "validation")
+        if rows:
+            parts += [_introduction(record, rows), table(HEAD, [_line(row) for row in rows])]
+    for record in records:
+        rows = _rows(record, "testing")
+        if rows:
+            parts += [
+                f"The chosen settings on the test split, {rows[0]['frames']:,} frames, `{record['network']}`, "
+                f"{record['form']}:",
+                table(HEAD, [_line(row) for row in rows]),
+            ]
+    return ["## What was tried at inference", *parts] if parts else []
+
+
+def _rows(record: dict[str, Any], split: str) -> list[dict[str, Any]]:
+    return [row for row in record["rows"] if row["split"] == split]
+
+
+def _introduction(record: dict[str, Any], rows: Sequence[dict[str, Any]]) -> str:
+    return (
+        f"`macram experiments inference MODEL` on `{record['network']}`, trained once, {rows[0]['frames']:,} frames of "
+        "the validation split. All tables above this one take a single look, as "
+        "the paper's evaluation does. *CPU s* is the time of one core for a picture, network and "
+        "reading included; rotation is the median. *Looks* are turned crops around the first pose, in which the target "
+        "has 56 of 128 pixels; *edges* align the pose with the picture's steps of brightness along the edges of a box "
+        f"of {record['edge_box']:g} of the keypoints' box, measured on {record['edge_box_frames']} training frames "
+        "with their true poses; they start 3 % nearer than the keypoints say. Both are calibrations on training and "
+        "validation frames alone."
+    )
 
 
 def _line(row: dict[str, Any]) -> Sequence[str]:
