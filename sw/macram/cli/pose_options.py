@@ -18,8 +18,8 @@ def add_pose_options(sub: argparse.ArgumentParser) -> None:
         type=int,
         default=0,
         metavar="N",
-        help="show the network N turned crops around the first pose as well, all cells voting together; 4 take "
-        "about the network's time for the picture again (default: 0)",
+        help="show the network N turned crops around the first pose as well, all cells voting together; with 4 a "
+        "picture takes between two and three times as long (default: 0)",
     )
     sub.add_argument(
         "--edges",

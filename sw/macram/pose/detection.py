@@ -27,7 +27,7 @@ class Detection:
         cells: voting cells.
         pairs: 2D-3D pairs they gave.
         inliers: pairs that agree with the pose.
-        rms_px: reprojection error of those, px of the network's input.
+        rms_px: reprojection error of those, px of the network's input, before edges moved the pose.
     """
 
     pose: Pose
