@@ -80,7 +80,9 @@ class Predictor:
         settings: PoseSettings | None = None,
     ) -> None:
         if integer and card.mode != "III":
-            raise ValueError("only a network quantised in mode III runs as integers, as the shipped quarter-w3a3 and quarter-w8a8 do")
+            raise ValueError(
+                "only a network quantised in mode III runs as integers, as the shipped quarter-w3a3 and quarter-w8a8 do"
+            )
         self.device = torch.device("cpu") if integer or device is None else device
         self.net = net.to(self.device)
         self.card, self.integer, self.settings = card, integer, settings or PoseSettings()
