@@ -6,7 +6,6 @@ import hashlib
 import json
 import os
 import shutil
-import tempfile
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -23,7 +22,7 @@ from macram.golden import ResidualRule
 from macram.pack import PackedLayer
 from macram.spec import ArrayConfig
 from macram_sim.build import Build, SimulationError, build, waves_wanted
-from macram_sim.folders import build_root, locked
+from macram_sim.folders import build_root, job_folder, locked
 from macram_sim.progress import watching
 from macram_sim.runner import choose_seed, run
 from macram_sim.streams import PATTERNS
@@ -114,8 +113,7 @@ def simulate(
         folder = Path(job_dir).resolve()
         folder.mkdir(parents=True, exist_ok=True)
     else:
-        (build_root() / "jobs").mkdir(parents=True, exist_ok=True)
-        folder = Path(tempfile.mkdtemp(prefix=f"{array.name}-", dir=build_root() / "jobs"))
+        folder = job_folder(array.name)
     names = [f"pass_{index}" for index in range(len(passes))]
     for name, part in zip(names, passes, strict=True):
         part.write(folder / name)

@@ -1,9 +1,10 @@
-"""Where builds lie, and the lock that makes each of them once."""
+"""Where builds and jobs lie, and the lock that makes each build once."""
 
 from __future__ import annotations
 
 import fcntl
 import os
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -19,6 +20,13 @@ def build_root() -> Path:
     cache = Path(os.environ.get("XDG_CACHE_HOME", ""))
     # The XDG specification says that a relative path is to be ignored.
     return (cache if cache.is_absolute() else Path.home() / ".cache") / "macram" / "sim"
+
+
+def job_folder(name: str) -> Path:
+    """A new empty folder in ``build_root() / "jobs"`` for the files of one simulation; its caller removes it."""
+    jobs = build_root() / "jobs"
+    jobs.mkdir(parents=True, exist_ok=True)
+    return Path(tempfile.mkdtemp(prefix=f"{name}-", dir=jobs))
 
 
 @contextmanager

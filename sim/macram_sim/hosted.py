@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pickle
 import shutil
-import tempfile
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -19,7 +18,7 @@ from macram.driver import COUNTERS
 from macram.pack import PackedLayer
 from macram_sim.array import build_array
 from macram_sim.build import SimulationError
-from macram_sim.folders import build_root
+from macram_sim.folders import job_folder
 from macram_sim.progress import watching
 from macram_sim.runner import run
 
@@ -66,8 +65,7 @@ def simulate_hosted(
         ToolError: a tool is missing.
     """
     model = build_array(layers[0].array)
-    (build_root() / "jobs").mkdir(parents=True, exist_ok=True)
-    folder = Path(tempfile.mkdtemp(prefix=f"{layers[0].array.name}-", dir=build_root() / "jobs"))
+    folder = job_folder(layers[0].array.name)
     with (folder / LAYERS).open("wb") as file:
         pickle.dump(list(layers), file)
     with watching(folder, told), ThreadPoolExecutor(1) as pool:

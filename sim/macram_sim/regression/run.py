@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import resource
 import shutil
-import tempfile
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -14,7 +13,7 @@ from typing import Any
 
 from macram.spec import ArrayConfig
 from macram_sim.array import build_array
-from macram_sim.folders import build_root
+from macram_sim.folders import job_folder
 from macram_sim.regression.arrays import ARRAYS
 from macram_sim.regression.coverage import Score, score
 from macram_sim.regression.observation import Observation
@@ -94,8 +93,7 @@ def regress(
     seconds = cpu_seconds = 0.0
     for array in arrays:
         model = build_array(array)
-        (build_root() / "jobs").mkdir(parents=True, exist_ok=True)
-        folder = Path(tempfile.mkdtemp(prefix=f"regression-{array.name}-", dir=build_root() / "jobs"))
+        folder = job_folder(f"regression-{array.name}")
         job = {"array": array.to_dict(), "seed": seed, "indices": indices}
         (folder / "job.json").write_text(json.dumps(job))
         lines = folder / "seen.jsonl"
