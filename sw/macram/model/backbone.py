@@ -142,7 +142,14 @@ class ConvBlock(nn.Module):
 
     def forward(self, x: Tensor) -> Tensor:
         """``[N, c_in, H, W]`` -> ``[N, c_out, H/stride, W/stride]``."""
-        return cast(Tensor, self.act(self.bn(self.conv(x))))
+        y = self.conv(x)
+        return rectified(self.bn, y) if isinstance(self.act, nn.ReLU) else cast(Tensor, self.act(self.bn(y)))
+
+
+def rectified(norm: nn.Module, x: Tensor) -> Tensor:
+    """``relu(norm(x))``, by the layer's own method ``rectified`` where it has one."""
+    together = getattr(norm, "rectified", None)
+    return torch.relu(norm(x)) if together is None else cast(Tensor, together(x))
 
 
 def bare_conv(c_in: int, c_out: int, *, kernel: int, stride: int = 1, bias: bool) -> nn.Conv2d:

@@ -8,7 +8,7 @@ from typing import NamedTuple, cast
 import torch
 from torch import Tensor, nn
 
-from macram.model.backbone import bare_conv
+from macram.model.backbone import bare_conv, rectified
 from macram.model.config import TOWER_GROUP, SpaceNetConfig
 
 PRIOR = 0.01
@@ -57,7 +57,7 @@ class Tower(nn.Module):
         """``[N, C, H, W]`` features of ``level`` (0 is P3) -> the same shape."""
         for conv, norm in zip(self.convs, self.norms, strict=True):
             per_level = norm[level] if isinstance(norm, nn.ModuleList) else norm
-            x = torch.relu(per_level(conv(x)))
+            x = rectified(per_level, conv(x))
         return x
 
 

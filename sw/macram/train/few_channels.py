@@ -76,7 +76,7 @@ class WideBatchNorm2d(nn.BatchNorm2d):
         """``[N, C, H, W]`` -> the same shape. ``H * W`` must be a multiple of the pixels taken at a time."""
         n, c, h, w = input.shape
         copies = VECTOR // c
-        if not self.training or h * w % copies:
+        if not self.training or 4 * c > VECTOR or h * w % copies:
             return super().forward(input)
         rows = input.permute(0, 2, 3, 1).contiguous().view(n, -1, 1, copies * c)
         y, mean, variance = _Widened.apply(  # type: ignore[no-untyped-call]

@@ -1,0 +1,64 @@
+"""C++ of this package, compiled for this processor the first time it is wanted."""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import hashlib
+import os
+import platform
+import subprocess
+import tempfile
+from pathlib import Path
+
+SOURCE = Path(__file__).with_name("norm_relu.cpp")
+COMMAND = (
+    *("g++", "-std=c++17", "-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math"),
+    *("-fopenmp", "-fPIC", "-shared"),
+)
+"""OpenMP's threads are PyTorch's own: its library is loaded already, and the names are found there."""
+PATIENCE = 120
+"""Seconds for the compiler, which needs about two."""
+
+
+def cache_folder() -> Path:
+    """``$MACRAM_BUILD_DIR/native``, else ``macram/native`` in ``$XDG_CACHE_HOME``, else in ``~/.cache``."""
+    if chosen := os.environ.get("MACRAM_BUILD_DIR"):
+        return (Path(chosen) / "native").resolve()
+    cache = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    return (cache if cache.is_absolute() else Path.home() / ".cache") / "macram" / "native"
+
+
+@functools.cache
+def library() -> ctypes.CDLL | None:
+    """The compiled code; None where there is no compiler that can make it or no folder to keep it."""
+    try:
+        path = cache_folder() / f"norm_relu-{_key()}.so"
+        if not path.is_file():
+            _compile(path)
+        return ctypes.CDLL(str(path))
+    except (OSError, subprocess.SubprocessError):
+        return None
+
+
+def _compile(path: Path) -> None:
+    """Writes ``path`` in one step: another process may want it at the same time."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix="compile-", dir=path.parent) as folder:
+        made = Path(folder) / path.name
+        subprocess.run(
+            [*COMMAND, str(SOURCE), "-o", str(made)], check=True, capture_output=True, timeout=PATIENCE
+        )
+        made.replace(path)
+
+
+def _key() -> str:
+    """Changes with the source, the command and the processor, whose own instructions are used."""
+    digest = hashlib.sha256(SOURCE.read_bytes())
+    digest.update(repr((COMMAND, platform.machine())).encode())
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        lines = [platform.processor()]
+    digest.update(repr(sorted({line for line in lines if line.startswith(("flags", "model name"))})).encode())
+    return digest.hexdigest()[:16]
