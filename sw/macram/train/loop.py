@@ -25,10 +25,9 @@ from macram.train.checkpoint import (
 from macram.train.config import TrainConfig, completed
 from macram.train.distributed import Processes, share_batch_norm
 from macram.train.feed import Feed
-from macram.train.few_channels import widen_batch_norm
+from macram.train.fused import fuse_batch_norm
 from macram.train.logs import Bar, Log
 from macram.train.mixed import autocast_helps, exact_layers
-from macram.train.norm_relu import fuse_batch_norm
 from macram.train.objective import Objective
 from macram.train.optimiser import Follower, make_optimiser
 from macram.train.pack import pack_frames
@@ -95,9 +94,8 @@ class Run:
         processes.copy_first(self.stage.module)
         if processes.world > 1:
             share_batch_norm(self.stage.module)
-        elif device.type == "cpu":
-            widen_batch_norm(self.stage.module)
-            fuse_batch_norm(self.stage.module)
+        else:
+            fuse_batch_norm(self.stage.module, device)
         named = [(n, p) for n, p in self.stage.module.named_parameters() if p.requires_grad]
         self.names: dict[Tensor, str] = {p: n for n, p in named}
         self.optimiser = make_optimiser(config.optimiser, [p for _, p in named])

@@ -1,7 +1,8 @@
 """Batch normalisation and ReLU as one operation on the CPU, in fewer passes over memory than as two.
 
 Together PyTorch's kernels move 14 maps through memory in a training step: six forward, eight backward. The ones
-in ``norm_relu.cpp`` move eight, and keep one map for the backward pass instead of two.
+in ``norm_relu.cpp`` move eight, and keep one map for the backward pass instead of two. On a GPU
+`macram.train.norm_relu_gpu` does the same.
 """
 
 from __future__ import annotations
@@ -24,7 +25,9 @@ class _NormRelu(torch.autograd.Function):
     """Training-mode batch normalisation and ReLU of a map."""
 
     @staticmethod
-    def forward(ctx: Any, x: Tensor, weight: Tensor, bias: Tensor, eps: float) -> tuple[Tensor, Tensor, Tensor]:
+    def forward(
+        ctx: Any, x: Tensor, weight: Tensor, bias: Tensor, eps: float
+    ) -> tuple[Tensor, Tensor, Tensor]:
         x = x.contiguous(memory_format=torch.channels_last)
         y, mean, variance = torch.empty_like(x), torch.empty_like(weight), torch.empty_like(weight)
         _call("forward", x, (x, y, weight, bias), eps, (mean, variance))
@@ -58,14 +61,20 @@ def _call(name: str, x: Tensor, before: tuple[Tensor, ...], eps: float, after: t
 
 
 class RectifyingBatchNorm2d(WideBatchNorm2d):
-    """Batch normalisation that can apply the ReLU behind it too."""
+    """Batch normalisation that can apply the ReLU behind it too.
+
+    Attributes:
+        together: both, ``(x, weight, bias, eps)`` -> ``(y, mean, variance)``.
+    """
+
+    together = staticmethod(_NormRelu.apply)
 
     def rectified(self, input: Tensor) -> Tensor:
         """``relu(self(input))``, ``[N, C, H, W]``: in one go while training, in bfloat16 or float32."""
         count = input.numel() // input.shape[1]
         if not self.training or input.dtype not in KERNELS or self.weight.dtype != torch.float32 or count < 2:
             return torch.relu(self(input))
-        y, mean, variance = _NormRelu.apply(input, self.weight, self.bias, self.eps)  # type: ignore[no-untyped-call]
+        y, mean, variance = self.together(input, self.weight, self.bias, self.eps)
         follow_statistics(self, mean, variance, count)
         return cast(Tensor, y)
 
