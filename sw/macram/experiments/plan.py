@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from macram.data.files import read_json
+from macram.pose import EdgeSettings, LookSettings, PoseSettings
 from macram.train.checkpoint import read_tensors
 from macram.train.config import TrainConfig, load_config
 
@@ -44,17 +45,50 @@ class Row:
 
 
 @dataclass(frozen=True, slots=True)
+class Refined:
+    """The second way to find poses that every row is scored by, calibrated without test frames.
+
+    Attributes:
+        looks: turned crops around the first pose, chosen on validation frames.
+        edges: size of the box of visible edges in boxes of the keypoints, measured on training frames.
+
+    Raises:
+        ValueError: a value out of range.
+    """
+
+    looks: int
+    edges: float
+
+    def __post_init__(self) -> None:
+        if type(self.looks) is not int or type(self.edges) not in {int, float}:
+            raise ValueError(f"looks must be a whole number and edges a number, not {self}")
+        _ = self.settings
+
+    @property
+    def settings(self) -> PoseSettings:
+        """For the predictor."""
+        return PoseSettings(looks=LookSettings(turns=self.looks), edges=EdgeSettings(box=self.edges))
+
+    @property
+    def options(self) -> str:
+        """Of ``macram evaluate``."""
+        return f"--looks {self.looks} --edges {self.edges}"
+
+
+@dataclass(frozen=True, slots=True)
 class Plan:
     """All rows of one file.
 
     Attributes:
         data: folder of the data set.
         recipe: of the data set.
+        refined: how rows are scored beside the single look.
         rows: in the order of the file, so that none comes before the row it continues.
     """
 
     data: Path
     recipe: Path
+    refined: Refined
     rows: tuple[Row, ...]
 
     def row(self, name: str) -> Row:
@@ -137,8 +171,8 @@ def read_plan(path: Path = PLAN) -> Plan:
     """The rows of a file.
 
     Raises:
-        ValueError: no such file, not TOML, a field that is unknown or missing, a name that is there twice, or a
-            row that continues one that does not stand before it or lacks one of its seeds.
+        ValueError: no such file, not TOML, a field that is unknown, missing or out of range, a name that is there
+            twice, or a row that continues one that does not stand before it or lacks one of its seeds.
     """
     try:
         table = tomllib.loads(path.read_text())
@@ -149,6 +183,10 @@ def read_plan(path: Path = PLAN) -> Plan:
         ) from None
     except (tomllib.TOMLDecodeError, KeyError) as error:
         raise ValueError(f"{path}: not a plan ({error})") from None
+    try:
+        refined = Refined(**table.get("refined", {}))
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{path}: [refined] needs looks and edges alone ({error})") from None
     rows: dict[str, Row] = {}
     for entry in entries:
         row = _row(path, entry)
@@ -159,7 +197,7 @@ def read_plan(path: Path = PLAN) -> Plan:
                 f"{path}: row {row.name!r} continues {row.after!r}, which must stand before it, with its seeds"
             )
         rows[row.name] = row
-    return Plan(data, recipe, tuple(rows.values()))
+    return Plan(data, recipe, refined, tuple(rows.values()))
 
 
 def _row(path: Path, entry: dict[str, Any]) -> Row:
