@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from macram.data.files import read_json
+from macram.data.recipe import Recipe, read_recipe
 from macram.pose import EdgeSettings, LookSettings, PoseSettings
 from macram.train.checkpoint import read_tensors
 from macram.train.config import TrainConfig, load_config
@@ -16,7 +17,7 @@ from macram.train.config import TrainConfig, load_config
 PLAN = Path("configs/experiments.toml")
 RESULTS = Path("results")
 RUNS = Path("build/experiments")
-GROUPS = ("questions", "seeds", "quantised")
+GROUPS = ("questions", "seeds", "data", "quantised")
 DEFAULT_SEED = 2022
 MODEL, LAST, RESULT = "model.safetensors", "last.safetensors", "result.json"
 
@@ -80,16 +81,27 @@ class Plan:
     """All rows of one file.
 
     Attributes:
-        data: folder of the data set.
+        data: folder of the data set whose test split scores the rows.
         recipe: of the data set.
+        training: folder of the data set that rows learn from, unless they set ``data.root``.
+        training_recipe: of that one.
         refined: how rows are scored beside the single look.
         rows: in the order of the file, so that none comes before the row it continues.
     """
 
     data: Path
     recipe: Path
+    training: Path
+    training_recipe: Path
     refined: Refined
     rows: tuple[Row, ...]
+
+    def recipe_of(self, root: str) -> Recipe | None:
+        """The recipe of the data set in ``root``; None for a folder that the plan does not know."""
+        for folder, recipe in ((self.data, self.recipe), (self.training, self.training_recipe)):
+            if root == str(folder):
+                return read_recipe(recipe)
+        return None
 
     def row(self, name: str) -> Row:
         """The row called ``name``.
@@ -136,10 +148,10 @@ class Job:
         """
         before = self.before()
         changes = {
+            "data.root": str(self.plan.training),
             **self.row.set,
             "run.seed": self.seed,
             "run.out": str(self.folder(runs)),
-            "data.root": str(self.plan.data),
         }
         if before is not None:
             changes["run.init"] = str(before.folder(runs) / MODEL)
@@ -177,6 +189,8 @@ def read_plan(path: Path = PLAN) -> Plan:
     try:
         table = tomllib.loads(path.read_text())
         entries, data, recipe = table["row"], Path(table["data"]), Path(table["recipe"])
+        training = table.get("training", {"data": data, "recipe": recipe})
+        training_data, training_recipe = Path(training["data"]), Path(training["recipe"])
     except FileNotFoundError:
         raise ValueError(
             f"{path}: no such plan; run this in the repository or name one with --plan"
@@ -197,7 +211,7 @@ def read_plan(path: Path = PLAN) -> Plan:
                 f"{path}: row {row.name!r} continues {row.after!r}, which must stand before it, with its seeds"
             )
         rows[row.name] = row
-    return Plan(data, recipe, refined, tuple(rows.values()))
+    return Plan(data, recipe, training_data, training_recipe, refined, tuple(rows.values()))
 
 
 def _row(path: Path, entry: dict[str, Any]) -> Row:

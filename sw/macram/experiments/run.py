@@ -75,8 +75,11 @@ def train_job(job: Job, runs: Path, console: Console) -> None:
     before = job.before()
     if before is not None:
         train_job(before, runs, console)
+    config = job.config(runs)
+    if recipe := job.plan.recipe_of(config.data.root):
+        recipe.check(Path(config.data.root))
     console.print(f"{job.key}: training", highlight=False, markup=False)
-    Run(job.config(runs), join_processes("auto"), console, resume=(job.folder(runs) / LAST).is_file()).train()
+    Run(config, join_processes("auto"), console, resume=(job.folder(runs) / LAST).is_file()).train()
 
 
 def record_job(
@@ -222,6 +225,12 @@ def thinned_curve(log: Path) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _version(job: Job, root: str) -> str:
+    """Of a data set, which may have been on another machine."""
+    recipe = job.plan.recipe_of(root)
+    return recipe.version if recipe else dataset_version(Path(root))
+
+
 def _record(
     job: Job,
     card: Card,
@@ -245,7 +254,8 @@ def _record(
         "images_with_earlier_stages": sum(record["visits"] for record in card.history),
         "minutes": round(stage["minutes"], 2),
         "device": device,
-        "dataset": dataset_version(job.plan.data),
+        "dataset": _version(job, stage["config"]["data"]["root"]),
+        "scored_on": _version(job, str(job.plan.data)),
         "model_sha256": sha256(run / MODEL),
         "all_frames": not limit,
         "score_form": score_form(card),
