@@ -12,11 +12,13 @@ from train_scene import write_scene
 
 from macram.cli import main
 from macram.data.recipe import read_recipe
+from macram.experiments import refined as refined_module
 from macram.experiments import run as run_module
 from macram.experiments.page import page
 from macram.experiments.plan import read_plan, read_result
 from macram.experiments.run import run_job
 from macram.experiments.statistics import Frames, difference, limits, read_frames, share, share_interval
+from macram.pose import EdgeSettings, LookSettings, PoseSettings
 from macram.train.config import load_config
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -116,7 +118,11 @@ def test_a_row_is_refined_before_it_is_finished_and_can_be_refined_later(plan, t
             run_job(first, runs, results, Console(quiet=True), limit=3)
     assert first.state(runs, results) == "trained"
 
+    used = []
+    real = refined_module.detect_frames
+    monkeypatch.setattr(refined_module, "detect_frames", lambda *a: used.append(a[3]) or real(*a))
     folder = run_job(first, runs, results, Console(quiet=True), limit=3)
+    assert used == [PoseSettings(looks=LookSettings(turns=2), edges=EdgeSettings(box=0.99))]
     written = [(folder / name).read_bytes() for name in ("refined.json", "refined.csv")]
     table, record = json.loads(written[0]), read_result(folder)
     assert table["options"] == "--looks 2 --edges 0.99"

@@ -60,8 +60,8 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
         "refine",
         help="add the refined scores to a record",
         description="For records without them, or after [refined] of the plan has changed: more looks at every picture "
-        "and its edges, on the record's own frames. The network must be the recorded one, by its SHA-256. Uses all "
-        "cores.",
+        "and its edges, on the record's own frames. The network must be the recorded one, by its SHA-256. Up to 8 "
+        "processes share the frames.",
     )
     refine.add_argument("row", help="as macram experiments list has it")
     refine.add_argument("folder", type=Path, metavar="RUN", help="with the row's model.safetensors")
