@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from macram.data.recipe import read_recipe
 from macram.experiments import refined as refined_module
 from macram.experiments import run as run_module
 from macram.experiments.page import page
-from macram.experiments.plan import read_plan, read_result
+from macram.experiments.plan import Source, read_plan, read_result
 from macram.experiments.run import run_job
 from macram.experiments.statistics import Frames, difference, limits, read_frames, share, share_interval
 from macram.pose import EdgeSettings, LookSettings, PoseSettings
@@ -43,8 +44,12 @@ every = 1
 evaluate_frames = 2
 """
 PLAN = """
+[scoring]
 data = "{data}"
-recipe = "unused"
+recipe = "{folder}/recipe.toml"
+[training]
+data = "{data}"
+recipe = "{folder}/recipe.toml"
 [refined]
 looks = 2
 edges = 0.99
@@ -72,9 +77,8 @@ def plan(tmp_path, monkeypatch):
     (tmp_path / "control.toml").write_text(TINY.format(stage="control", init='init = "unused"'))
     (tmp_path / "plan.toml").write_text(PLAN.format(data=scene, folder=tmp_path))
     monkeypatch.setattr(run_module, "SPLIT", "validation")
-    monkeypatch.setattr(
-        run_module, "read_recipe", lambda path: type("R", (), {"check": lambda self, root: None})()
-    )
+    monkeypatch.setattr(Source, "check", lambda self: None)
+    monkeypatch.setattr(run_module, "read_recipe", lambda path: SimpleNamespace(version="scene, poses 0123"))
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     return read_plan(tmp_path / "plan.toml")
 
@@ -91,6 +95,7 @@ def test_a_row_trains_what_it_continues_and_is_done_once(plan, tmp_path, monkeyp
     assert record["frames"] == 4
     assert "--set schedule.steps=3" in record["train_command"]
     assert "run.seed=1" in record["train_command"]
+    assert record["dataset"] == record["scored_on"] == "scene, poses 0123"
     assert {path.name for path in folder.iterdir()} == {
         "result.json",
         "frames.csv",
@@ -233,7 +238,10 @@ def test_the_recipe_is_the_mini_tier_with_backgrounds():
 
     from macram.data.spec import TIERS  # noqa: PLC0415
 
-    assert read_recipe(ROOT / "configs/cubesat1u-v1.toml").spec == replace(TIERS["mini"], background=True)
+    mini = replace(TIERS["mini"], background=True)
+    assert read_recipe(ROOT / "configs/cubesat1u-v1.toml").spec == mini
+    longer = read_recipe(ROOT / "configs/cubesat1u-v1-20k.toml").spec
+    assert longer == replace(mini, sequences=(1000, *mini.sequences[1:]))
 
 
 def test_paper_front_configurations_load():

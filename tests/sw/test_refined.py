@@ -12,7 +12,7 @@ from train_scene import CORNERS, DIAMETER, write_scene
 from macram.data.open import open_dataset
 from macram.experiments import beside
 from macram.experiments.finished import finished
-from macram.experiments.plan import Plan, Refined, Row
+from macram.experiments.plan import Plan, Refined, Row, Source
 from macram.experiments.run import read_evaluation
 from macram.model import SpaceNet, spacenet_config
 from macram.pose import EdgeSettings, LookSettings, PoseSettings
@@ -98,7 +98,7 @@ def write(folder, name, frames, add, **fields):
 
 def rows(results, groups):
     """A plan of rows ``name -> (group, after, seeds)``."""
-    return Plan(results, results, REFINED, tuple(
+    return Plan(Source(results, results), Source(results, results), REFINED, tuple(
         Row(name, name.title(), group, results, after=after, seeds=seeds)
         for name, (group, after, seeds) in groups.items()
     ))  # fmt: skip

@@ -16,7 +16,7 @@ from macram.pose import Pose, project
 from macram.pose.warp import Draw, Warp, exact_warp, warp_image, warp_mask
 from macram.train.augment import NONE, AugmentSettings
 from macram.train.losses import LossWeights, focal_loss, object_space_loss
-from macram.train.objective import PER_IMAGES, SLOTS, Objective, assign, sight, positive_slots
+from macram.train.objective import PER_IMAGES, SLOTS, Objective, assign, positive_slots, sight
 from macram.train.pack import pack_frames
 from macram.train.settings import DataSettings
 from macram.train.targets import IGNORED, POSITIVE, cells_in_mask

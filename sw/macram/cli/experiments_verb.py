@@ -228,7 +228,7 @@ def _inference(arguments: argparse.Namespace) -> int:
     from macram.experiments.inference import tries_file, try_all  # noqa: PLC0415
     from macram.experiments.plan import read_plan  # noqa: PLC0415
 
-    console, data = open_console(), read_plan(arguments.plan).data
+    console, data = open_console(), read_plan(arguments.plan).scoring.data
 
     def told(name: str, done: int, total: int) -> None:
         if done == total:

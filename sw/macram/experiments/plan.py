@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from macram.data.files import read_json
-from macram.data.recipe import Recipe, read_recipe
+from macram.data.recipe import read_recipe
 from macram.pose import EdgeSettings, LookSettings, PoseSettings
 from macram.train.checkpoint import read_tensors
 from macram.train.config import TrainConfig, load_config
@@ -77,31 +77,46 @@ class Refined:
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
-    """All rows of one file.
+class Source:
+    """A data set.
 
     Attributes:
-        data: folder of the data set whose test split scores the rows.
-        recipe: of the data set.
-        training: folder of the data set that rows learn from, unless they set ``data.root``.
-        training_recipe: of that one.
-        refined: how rows are scored beside the single look.
-        rows: in the order of the file, so that none comes before the row it continues.
+        data: its folder.
+        recipe: what it must be.
     """
 
     data: Path
     recipe: Path
-    training: Path
-    training_recipe: Path
+
+    def check(self) -> None:
+        """Holds the folder against the recipe.
+
+        Raises:
+            ValueError: see `Recipe.check`.
+        """
+        read_recipe(self.recipe).check(self.data)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """All rows of one file.
+
+    Attributes:
+        scoring: whose test split scores the rows.
+        training: what rows learn from, unless they set ``data.root``.
+        refined: how rows are scored beside the single look.
+        rows: in the order of the file, so that none comes before the row it continues.
+    """
+
+    scoring: Source
+    training: Source
     refined: Refined
     rows: tuple[Row, ...]
 
-    def recipe_of(self, root: str) -> Recipe | None:
-        """The recipe of the data set in ``root``; None for a folder that the plan does not know."""
-        for folder, recipe in ((self.data, self.recipe), (self.training, self.training_recipe)):
-            if root == str(folder):
-                return read_recipe(recipe)
-        return None
+    def source(self, root: str) -> Source | None:
+        """The data set in the folder ``root``; None if the plan does not know it."""
+        known = (source for source in (self.scoring, self.training) if str(source.data) == root)
+        return next(known, None)
 
     def row(self, name: str) -> Row:
         """The row called ``name``.
@@ -148,7 +163,7 @@ class Job:
         """
         before = self.before()
         changes = {
-            "data.root": str(self.plan.training),
+            "data.root": str(self.plan.training.data),
             **self.row.set,
             "run.seed": self.seed,
             "run.out": str(self.folder(runs)),
@@ -188,14 +203,15 @@ def read_plan(path: Path = PLAN) -> Plan:
     """
     try:
         table = tomllib.loads(path.read_text())
-        entries, data, recipe = table["row"], Path(table["data"]), Path(table["recipe"])
-        training = table.get("training", {"data": data, "recipe": recipe})
-        training_data, training_recipe = Path(training["data"]), Path(training["recipe"])
+        entries = table["row"]
+        scoring, training = (
+            Source(Path(table[name]["data"]), Path(table[name]["recipe"])) for name in ("scoring", "training")
+        )
     except FileNotFoundError:
         raise ValueError(
             f"{path}: no such plan; run this in the repository or name one with --plan"
         ) from None
-    except (tomllib.TOMLDecodeError, KeyError) as error:
+    except (tomllib.TOMLDecodeError, KeyError, TypeError) as error:
         raise ValueError(f"{path}: not a plan ({error})") from None
     try:
         refined = Refined(**table.get("refined", {}))
@@ -211,7 +227,7 @@ def read_plan(path: Path = PLAN) -> Plan:
                 f"{path}: row {row.name!r} continues {row.after!r}, which must stand before it, with its seeds"
             )
         rows[row.name] = row
-    return Plan(data, recipe, training_data, training_recipe, refined, tuple(rows.values()))
+    return Plan(scoring, training, refined, tuple(rows.values()))
 
 
 def _row(path: Path, entry: dict[str, Any]) -> Row:

@@ -66,7 +66,7 @@ def write_refined(
         "options": refined.options,
         "solver": refined.settings.words,
         "model_sha256": sha256(model),
-        "dataset": dataset_version(job.plan.data),
+        "dataset": dataset_version(job.plan.scoring.data),
         "score_form": score_form(card),
         **scores(evaluation),
     }

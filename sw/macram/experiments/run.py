@@ -62,7 +62,7 @@ def run_job(
     folder = results / job.key
     if (folder / RESULT).is_file():
         return folder
-    read_recipe(job.plan.recipe).check(job.plan.data)
+    job.plan.scoring.check()
     device = join_processes("auto").device
     train_job(job, runs, console)
     return record_job(job, job.folder(runs), results, device=processor_name(device), limit=limit, told=told)
@@ -76,8 +76,8 @@ def train_job(job: Job, runs: Path, console: Console) -> None:
     if before is not None:
         train_job(before, runs, console)
     config = job.config(runs)
-    if recipe := job.plan.recipe_of(config.data.root):
-        recipe.check(Path(config.data.root))
+    if source := job.plan.source(config.data.root):
+        source.check()
     console.print(f"{job.key}: training", highlight=False, markup=False)
     Run(config, join_processes("auto"), console, resume=(job.folder(runs) / LAST).is_file()).train()
 
@@ -113,7 +113,7 @@ def record_job(
     check_configuration(job, card)
     place = join_processes("auto").device
     predictor = Predictor(net, card, place)
-    frames = thinned(open_dataset(job.plan.data).frames(SPLIT), limit)
+    frames = thinned(open_dataset(job.plan.scoring.data).frames(SPLIT), limit)
     if scored is None:
         evaluation, _ = evaluate_frames(predictor, frames, told)
     else:
@@ -152,10 +152,10 @@ def refine_job(job: Job, run: Path, results: Path, *, told: Callable[[int, int],
     if sha256(model) != record["model_sha256"]:
         raise ValueError(f"{model}: is another network than the record {job.key} has; name the run it is of")
     limit = 0 if record["all_frames"] else record["frames"]
-    frames = thinned(open_dataset(job.plan.data).frames(SPLIT), limit)
+    frames = thinned(open_dataset(job.plan.scoring.data).frames(SPLIT), limit)
     if tuple(frame.name for frame in frames) != read_frames(folder / "frames.csv").names:
         raise ValueError(
-            f"{job.plan.data}: has other test frames than the record {job.key}; record the row again"
+            f"{job.plan.scoring.data}: has other test frames than the record {job.key}; record the row again"
         )
     return write_refined(job, card, model, frames, folder, str(join_processes("auto").device), told)
 
@@ -227,8 +227,8 @@ def thinned_curve(log: Path) -> str:
 
 def _version(job: Job, root: str) -> str:
     """Of a data set, which may have been on another machine."""
-    recipe = job.plan.recipe_of(root)
-    return recipe.version if recipe else dataset_version(Path(root))
+    source = job.plan.source(root)
+    return read_recipe(source.recipe).version if source else dataset_version(Path(root))
 
 
 def _record(
@@ -255,7 +255,7 @@ def _record(
         "minutes": round(stage["minutes"], 2),
         "device": device,
         "dataset": _version(job, stage["config"]["data"]["root"]),
-        "scored_on": _version(job, str(job.plan.data)),
+        "scored_on": _version(job, str(job.plan.scoring.data)),
         "model_sha256": sha256(run / MODEL),
         "all_frames": not limit,
         "score_form": score_form(card),
