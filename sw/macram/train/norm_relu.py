@@ -24,7 +24,9 @@ class _NormRelu(torch.autograd.Function):
     """Training-mode batch normalisation and ReLU of a map."""
 
     @staticmethod
-    def forward(ctx: Any, x: Tensor, weight: Tensor, bias: Tensor, eps: float) -> tuple[Tensor, Tensor, Tensor]:
+    def forward(
+        ctx: Any, x: Tensor, weight: Tensor, bias: Tensor, eps: float
+    ) -> tuple[Tensor, Tensor, Tensor]:
         x = x.contiguous(memory_format=torch.channels_last)
         y, mean, variance = torch.empty_like(x), torch.empty_like(weight), torch.empty_like(weight)
         _call("forward", x, (x, y, weight, bias), eps, (mean, variance))
@@ -34,7 +36,7 @@ class _NormRelu(torch.autograd.Function):
         return y, mean, variance
 
     @staticmethod
-    @once_differentiable  # type: ignore[untyped-decorator]
+    @once_differentiable
     def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor | None, ...]:
         x, weight, bias, mean, variance = ctx.saved_tensors
         grad = grads[0].contiguous(memory_format=torch.channels_last)
@@ -45,7 +47,7 @@ class _NormRelu(torch.autograd.Function):
 
 def _call(name: str, x: Tensor, before: tuple[Tensor, ...], eps: float, after: tuple[Tensor, ...]) -> None:
     """Calls a kernel for maps like ``x``: rows, channels, threads, pointers, epsilon, pointers."""
-    kernel = getattr(library(), f"{name}_{KERNELS[x.dtype]}")
+    kernel = getattr(library("norm_relu"), f"{name}_{KERNELS[x.dtype]}")
     channels = x.shape[1]
     kernel(
         ctypes.c_int64(x.numel() // channels),
@@ -72,7 +74,7 @@ class RectifyingBatchNorm2d(WideBatchNorm2d):
 
 def fuse_batch_norm(module: nn.Module) -> None:
     """Lets every batch normalisation in ``module`` take the ReLU behind it along, where that can be compiled."""
-    if library() is None:
+    if library("norm_relu") is None:
         return
     for layer in module.modules():
         if type(layer) in (nn.BatchNorm2d, WideBatchNorm2d):
