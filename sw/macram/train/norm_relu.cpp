@@ -1,6 +1,6 @@
 // Batch normalisation and ReLU of maps with channels innermost, in as few passes over memory as possible.
 //
-// Forward reads x twice and writes y once; backward reads x and the gradient twice and writes once. ReLU's mask
+// A map may be added to the result, as residual units do. Forward reads x twice and writes y once; backward reads x and the gradient twice and writes once. ReLU's mask
 // is computed anew from x, so that y need not be kept. Formulas: Ioffe and Szegedy, "Batch Normalization" (2015),
 // section 3.
 //
@@ -124,7 +124,7 @@ struct Affine {
 };
 
 template <class T>
-void forward(const Shape &shape, const T *x, const T *add, T *y, const float *weight, const float *bias, double eps,
+void forward(const Shape &shape, const T *x, const T *plus, T *y, const float *weight, const float *bias, double eps,
              float *mean, float *variance) {
     const double rows = double(shape.count / shape.channels);
     // Distances from the first pixel: squares of a mean much larger than the deviation would leave no digits.
@@ -142,11 +142,17 @@ void forward(const Shape &shape, const T *x, const T *add, T *y, const float *we
     }
     const Affine affine(shape, weight, bias, mean, variance, eps);
     const float *const slope = affine.slope.data(), *const offset = affine.offset.data();
+    const auto positive = [=](Size i, Size j) {
+        const float value = slope[j] * float(x[i + j]) + offset[j];
+        return value < 0 ? 0 : value;
+    };
     shape.each([=](Size i, Size n) {
+        if (plus != nullptr) {
 #pragma omp simd
-        for (Size j = 0; j < n; ++j) {
-            const float value = slope[j] * float(x[i + j]) + offset[j];
-            y[i + j] = value < 0 ? 0 : value;
+            for (Size j = 0; j < n; ++j) y[i + j] = positive(i, j) + float(plus[i + j]);
+        } else {
+#pragma omp simd
+            for (Size j = 0; j < n; ++j) y[i + j] = positive(i, j);
         }
     });
 }
@@ -187,9 +193,10 @@ void backward(const Shape &shape, const T *grad, const T *x, T *to_x, const floa
 }  // namespace
 
 #define EXPORTED(NAME, T)                                                                                          \
-    extern "C" void forward_##NAME(Size rows, Size channels, int threads, const T *x, T *y, const float *weight,   \
-                                   const float *bias, double eps, float *mean, float *variance) {                  \
-        forward(Shape(rows, channels, threads), x, (const T *)nullptr, y, weight, bias, eps, mean, variance);      \
+    extern "C" void forward_##NAME(Size rows, Size channels, int threads, const T *x, const T *plus, T *y,         \
+                                   const float *weight, const float *bias, double eps, float *mean,                \
+                                   float *variance) {                                                              \
+        forward(Shape(rows, channels, threads), x, plus, y, weight, bias, eps, mean, variance);                    \
     }                                                                                                              \
     extern "C" void backward_##NAME(Size rows, Size channels, int threads, const T *grad, const T *x, T *to_x,     \
                                     const float *weight, const float *bias, const float *mean,                     \

@@ -21,15 +21,17 @@ KERNELS = {torch.bfloat16: "bfloat16", torch.float32: "float32"}
 
 
 class _NormRelu(torch.autograd.Function):
-    """Training-mode batch normalisation and ReLU of a map."""
+    """Training-mode batch normalisation and ReLU of a map, and the sum with another."""
 
     @staticmethod
     def forward(
-        ctx: Any, x: Tensor, weight: Tensor, bias: Tensor, eps: float
+        ctx: Any, x: Tensor, plus: Tensor | None, weight: Tensor, bias: Tensor, eps: float
     ) -> tuple[Tensor, Tensor, Tensor]:
         x = x.contiguous(memory_format=torch.channels_last)
         y, mean, variance = torch.empty_like(x), torch.empty_like(weight), torch.empty_like(weight)
-        _call("forward", x, (x, y, weight, bias), eps, (mean, variance))
+        if plus is not None:
+            plus = plus.contiguous(memory_format=torch.channels_last)
+        _call("forward", x, (x, plus, y, weight, bias), eps, (mean, variance))
         ctx.save_for_backward(x, weight, bias, mean, variance)
         ctx.eps = eps
         ctx.mark_non_differentiable(mean, variance)
@@ -42,10 +44,12 @@ class _NormRelu(torch.autograd.Function):
         grad = grads[0].contiguous(memory_format=torch.channels_last)
         to_x, to_weight, to_bias = torch.empty_like(x), torch.empty_like(weight), torch.empty_like(bias)
         _call("backward", x, (grad, x, to_x, weight, bias, mean, variance), ctx.eps, (to_weight, to_bias))
-        return to_x, to_weight, to_bias, None
+        return to_x, grads[0] if ctx.needs_input_grad[1] else None, to_weight, to_bias, None
 
 
-def _call(name: str, x: Tensor, before: tuple[Tensor, ...], eps: float, after: tuple[Tensor, ...]) -> None:
+def _call(
+    name: str, x: Tensor, before: tuple[Tensor | None, ...], eps: float, after: tuple[Tensor, ...]
+) -> None:
     """Calls a kernel for maps like ``x``: rows, channels, threads, pointers, epsilon, pointers."""
     kernel = getattr(library("norm_relu"), f"{name}_{KERNELS[x.dtype]}")
     channels = x.shape[1]
@@ -53,7 +57,7 @@ def _call(name: str, x: Tensor, before: tuple[Tensor, ...], eps: float, after: t
         ctypes.c_int64(x.numel() // channels),
         ctypes.c_int64(channels),
         ctypes.c_int(torch.get_num_threads()),
-        *(ctypes.c_void_p(tensor.data_ptr()) for tensor in before),
+        *(ctypes.c_void_p(None if tensor is None else tensor.data_ptr()) for tensor in before),
         ctypes.c_double(eps),
         *(ctypes.c_void_p(tensor.data_ptr()) for tensor in after),
     )
@@ -62,14 +66,22 @@ def _call(name: str, x: Tensor, before: tuple[Tensor, ...], eps: float, after: t
 class RectifyingBatchNorm2d(WideBatchNorm2d):
     """Batch normalisation that can apply the ReLU behind it too."""
 
-    def rectified(self, input: Tensor) -> Tensor:
-        """``relu(self(input))``, ``[N, C, H, W]``: in one go while training, in bfloat16 or float32."""
+    def rectified(self, input: Tensor, plus: Tensor | None = None) -> Tensor:
+        """``relu(self(input)) + plus``, ``[N, C, H, W]``: in one go while training in bfloat16 or float32."""
         count = input.numel() // input.shape[1]
-        if not self.training or input.dtype not in KERNELS or self.weight.dtype != torch.float32 or count < 2:
-            return torch.relu(self(input))
-        y, mean, variance = _NormRelu.apply(input, self.weight, self.bias, self.eps)  # type: ignore[no-untyped-call]
+        alike = plus is None or (plus.shape == input.shape and plus.dtype == input.dtype)
+        if not (
+            self.training
+            and alike
+            and input.dtype in KERNELS
+            and self.weight.dtype == torch.float32
+            and count > 1
+        ):
+            y = torch.relu(self(input))
+            return y if plus is None else plus + y
+        result, mean, variance = _NormRelu.apply(input, plus, self.weight, self.bias, self.eps)  # type: ignore[no-untyped-call]
         follow_statistics(self, mean, variance, count)
-        return cast(Tensor, y)
+        return cast(Tensor, result)
 
 
 def fuse_batch_norm(module: nn.Module) -> None:
