@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import json
-import os
 
 import pytest
 import torch
@@ -13,7 +12,6 @@ from train_scene import write_scene
 
 from macram.cli.app import main
 from macram.train.few_channels import VECTOR, WideBatchNorm2d, widen_batch_norm
-from macram.train.memory import keep_memory
 
 
 def pair(channels, dtype, **settings):
@@ -86,18 +84,8 @@ def test_frozen_statistics_do_not_move():
     assert all(torch.equal(value, before[name]) for name, value in wide.state_dict().items())
 
 
-def test_memory_is_asked_to_stay(monkeypatch):
-    monkeypatch.delenv("THP_MEM_ALLOC_ENABLE", raising=False)
-    keep_memory()
-    assert os.environ["THP_MEM_ALLOC_ENABLE"] == "1"
-    monkeypatch.setenv("THP_MEM_ALLOC_ENABLE", "0")  # the user's own word counts
-    keep_memory()
-    assert os.environ["THP_MEM_ALLOC_ENABLE"] == "0"
-
-
-def test_bench_times_a_training_run(tmp_path, capsys, monkeypatch):
+def test_bench_times_a_training_run(tmp_path, capsys):
     write_scene(tmp_path / "data")
-    monkeypatch.setenv("THP_MEM_ALLOC_ENABLE", "0")
     config = tmp_path / "run.toml"
     config.write_text(
         f"""

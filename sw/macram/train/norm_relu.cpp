@@ -111,16 +111,15 @@ struct Two {
     float first, second;
 };
 
-// y = slope * x + offset before ReLU, the same in both directions: so is the mask.
+// What comes before ReLU: slope * (x - centre) + offset, the same in both directions, and so is the mask.
 struct Affine {
-    std::vector<float> slope, offset;
+    std::vector<float> slope, centre, offset;
 
     Affine(const Shape &shape, const float *weight, const float *bias, const float *mean, const float *variance,
-           double eps) {
-        const auto scale = [=](Size c) { return weight[c] / std::sqrt(variance[c] + eps); };
-        slope = shape.spread(scale);
-        offset = shape.spread([=](Size c) { return bias[c] - mean[c] * scale(c); });
-    }
+           double eps)
+        : slope(shape.spread([=](Size c) { return weight[c] / std::sqrt(variance[c] + eps); })),
+          centre(shape.spread([=](Size c) { return mean[c]; })),
+          offset(shape.spread([=](Size c) { return bias[c]; })) {}
 };
 
 template <class T>
@@ -141,9 +140,10 @@ void forward(const Shape &shape, const T *x, const T *plus, T *y, const float *w
         variance[c] = float(spread < 0 ? 0 : spread);  // so that no number stays none
     }
     const Affine affine(shape, weight, bias, mean, variance, eps);
-    const float *const slope = affine.slope.data(), *const offset = affine.offset.data();
+    const float *const slope = affine.slope.data(), *const centre = affine.centre.data();
+    const float *const offset = affine.offset.data();
     const auto positive = [=](Size i, Size j) {
-        const float value = slope[j] * float(x[i + j]) + offset[j];
+        const float value = slope[j] * (float(x[i + j]) - centre[j]) + offset[j];
         return value < 0 ? 0 : value;
     };
     shape.each([=](Size i, Size n) {
@@ -162,12 +162,12 @@ void backward(const Shape &shape, const T *grad, const T *x, T *to_x, const floa
               const float *mean, const float *variance, double eps, float *to_weight, float *to_bias) {
     const double rows = double(shape.count / shape.channels);
     const Affine affine(shape, weight, bias, mean, variance, eps);
-    const float *const slope = affine.slope.data(), *const offset = affine.offset.data();
-    const std::vector<float> means = shape.spread([=](Size c) { return mean[c]; });
-    const float *const centre = means.data();
+    const float *const slope = affine.slope.data(), *const centre = affine.centre.data();
+    const float *const offset = affine.offset.data();
     const std::vector<double> sums = shape.sums([=](Size i, Size j) {
-        const float value = x[i], all = grad[i], passed = slope[j] * value + offset[j] <= 0 ? 0 : all;
-        return Two{passed, passed * (value - centre[j])};
+        const float away = float(x[i]) - centre[j], all = grad[i];
+        const float passed = slope[j] * away + offset[j] <= 0 ? 0 : all;
+        return Two{passed, passed * away};
     });
     std::vector<double> along(shape.channels), rest(shape.channels);
     for (Size c = 0; c < shape.channels; ++c) {
@@ -175,7 +175,7 @@ void backward(const Shape &shape, const T *grad, const T *x, T *to_x, const floa
         to_bias[c] = float(sums[c]);
         to_weight[c] = float(sums[shape.channels + c] * inverse);
         along[c] = -weight[c] * inverse * inverse * inverse * sums[shape.channels + c] / rows;
-        rest[c] = -weight[c] * inverse * sums[c] / rows - along[c] * mean[c];
+        rest[c] = -weight[c] * inverse * sums[c] / rows;
     }
     const std::vector<float> alongs = shape.spread([&](Size c) { return along[c]; });
     const std::vector<float> rests = shape.spread([&](Size c) { return rest[c]; });
@@ -183,9 +183,9 @@ void backward(const Shape &shape, const T *grad, const T *x, T *to_x, const floa
     shape.each([=](Size i, Size n) {
 #pragma omp simd
         for (Size j = 0; j < n; ++j) {
-            const float value = x[i + j], all = grad[i + j];
-            const float passed = slope[j] * value + offset[j] <= 0 ? 0 : all;
-            to_x[i + j] = slope[j] * passed + (by_x[j] * value + constant[j]);
+            const float away = float(x[i + j]) - centre[j], all = grad[i + j];
+            const float passed = slope[j] * away + offset[j] <= 0 ? 0 : all;
+            to_x[i + j] = slope[j] * passed + (by_x[j] * away + constant[j]);
         }
     });
 }
