@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import shutil
 import subprocess
 import sys
 
@@ -216,7 +215,7 @@ def test_views_in_one_pass_are_the_same_pictures(frames, seed, augment, size):
     assert fast.erased is None
     levels = ((fast.image - slow.image) * (255 * torch.tensor(IMAGENET_STD).reshape(3, 1, 1))).abs()
     assert levels.max() < 1.01  # where a half is rounded the other way
-    assert (levels > 1e-3).float().mean() < 1e-3
+    assert (levels > 1e-3).float().mean() < 1e-4
     assert slow.inside.any()
     for mine, true in zip(fast[2:], slow[2:], strict=True):
         assert torch.equal(mine, true)
@@ -257,7 +256,8 @@ def test_without_a_compiler_pytorch_does_the_work(elsewhere, monkeypatch, tmp_pa
     tools.mkdir()
     monkeypatch.setenv("PATH", str(tools))
     if fault == "failing":
-        (tools / "g++").symlink_to(shutil.which("false", path="/bin:/usr/bin"))
+        (tools / "g++").write_text('#!/bin/sh\nfor last; do :; done\necho half of it > "$last"\nexit 1\n')
+        (tools / "g++").chmod(0o755)
     if fault == "folder":
         elsewhere.parent.write_text("a file where the folder should be")
     assert compiled.library("norm_relu") is None

@@ -1,8 +1,8 @@
 // Batch normalisation and ReLU of maps with channels innermost, in as few passes over memory as possible.
 //
-// A map may be added to the result, as residual units do. Forward reads x twice and writes y once; backward reads x and the gradient twice and writes once. ReLU's mask
-// is computed anew from x, so that y need not be kept. Formulas: Ioffe and Szegedy, "Batch Normalization" (2015),
-// section 3.
+// A map may be added to the result, as residual units do. Forward reads x twice and writes y once; backward
+// reads x and the gradient twice and writes once. ReLU's mask is computed anew from x, so that y need not be
+// kept. Formulas: Ioffe and Szegedy, "Batch Normalization" (2015), section 3.
 //
 // A map of few channels is taken as one of several times as many: the vectors are full whatever the channels.
 // Sums are made over pieces whose bounds depend on the shape alone, so results do not depend on the threads.
@@ -65,8 +65,8 @@ struct Shape {
         }
     }
 
-    // Sums over the pixels of both values of `term(i, j)`, element i of channel j % channels: `channels` sums of
-    // the first, then of the second.
+    // Sums over the pixels of both values of `term(i, j)`, element i of channel j % channels: `channels` sums
+    // of the first, then of the second.
     template <class Term> std::vector<double> sums(Term term) const {
         std::vector<double> parts(pieces() * 2 * period);
 #pragma omp parallel for num_threads(threads) schedule(static)
@@ -115,16 +115,16 @@ struct Two {
 struct Affine {
     std::vector<float> slope, centre, offset;
 
-    Affine(const Shape &shape, const float *weight, const float *bias, const float *mean, const float *variance,
-           double eps)
+    Affine(const Shape &shape, const float *weight, const float *bias, const float *mean,
+           const float *variance, double eps)
         : slope(shape.spread([=](Size c) { return weight[c] / std::sqrt(variance[c] + eps); })),
           centre(shape.spread([=](Size c) { return mean[c]; })),
           offset(shape.spread([=](Size c) { return bias[c]; })) {}
 };
 
 template <class T>
-void forward(const Shape &shape, const T *x, const T *plus, T *y, const float *weight, const float *bias, double eps,
-             float *mean, float *variance) {
+void forward(const Shape &shape, const T *x, const T *plus, T *y, const float *weight, const float *bias,
+             double eps, float *mean, float *variance) {
     const double rows = double(shape.count / shape.channels);
     // Distances from the first pixel: squares of a mean much larger than the deviation would leave no digits.
     const std::vector<float> origin = shape.spread([=](Size c) { return float(x[c]); });
@@ -192,17 +192,17 @@ void backward(const Shape &shape, const T *grad, const T *x, T *to_x, const floa
 
 }  // namespace
 
-#define EXPORTED(NAME, T)                                                                                          \
-    extern "C" void forward_##NAME(Size rows, Size channels, int threads, const T *x, const T *plus, T *y,         \
-                                   const float *weight, const float *bias, double eps, float *mean,                \
-                                   float *variance) {                                                              \
-        forward(Shape(rows, channels, threads), x, plus, y, weight, bias, eps, mean, variance);                    \
-    }                                                                                                              \
-    extern "C" void backward_##NAME(Size rows, Size channels, int threads, const T *grad, const T *x, T *to_x,     \
-                                    const float *weight, const float *bias, const float *mean,                     \
-                                    const float *variance, double eps, float *to_weight, float *to_bias) {         \
-        backward(Shape(rows, channels, threads), grad, x, to_x, weight, bias, mean, variance, eps, to_weight,      \
-                 to_bias);                                                                                         \
+#define EXPORTED(NAME, T)                                                                                    \
+    extern "C" void forward_##NAME(Size rows, Size channels, int threads, const T *x, const T *plus, T *y,   \
+                                   const float *weight, const float *bias, double eps, float *mean,          \
+                                   float *variance) {                                                        \
+        forward(Shape(rows, channels, threads), x, plus, y, weight, bias, eps, mean, variance);              \
+    }                                                                                                        \
+    extern "C" void backward_##NAME(Size rows, Size channels, int threads, const T *grad, const T *x, T *to_x,\
+                                    const float *weight, const float *bias, const float *mean,               \
+                                    const float *variance, double eps, float *to_weight, float *to_bias) {   \
+        backward(Shape(rows, channels, threads), grad, x, to_x, weight, bias, mean, variance, eps,           \
+                 to_weight, to_bias);                                                                        \
     }
 
 EXPORTED(bfloat16, Bf16)

@@ -69,17 +69,15 @@ class RectifyingBatchNorm2d(WideBatchNorm2d):
     def rectified(self, input: Tensor, plus: Tensor | None = None) -> Tensor:
         """``relu(self(input)) + plus``, ``[N, C, H, W]``: in one go while training in bfloat16 or float32."""
         count = input.numel() // input.shape[1]
-        alike = plus is None or (plus.shape == input.shape and plus.dtype == input.dtype)
-        if not (
-            self.training
-            and alike
-            and input.dtype in KERNELS
-            and self.weight.dtype == torch.float32
-            and count > 1
-        ):
+        possible = (
+            self.training and count > 1 and input.dtype in KERNELS and self.weight.dtype == torch.float32
+        )
+        if not possible or (plus is not None and (plus.shape, plus.dtype) != (input.shape, input.dtype)):
             y = torch.relu(self(input))
             return y if plus is None else plus + y
-        result, mean, variance = _NormRelu.apply(input, plus, self.weight, self.bias, self.eps)  # type: ignore[no-untyped-call]
+        result, mean, variance = _NormRelu.apply(  # type: ignore[no-untyped-call]
+            input, plus, self.weight, self.bias, self.eps
+        )
         follow_statistics(self, mean, variance, count)
         return cast(Tensor, result)
 

@@ -1,7 +1,7 @@
-// Views of packed frames in one pass: sampled, toned, given noise, rounded to whole grey levels and normalised.
+// Views of packed frames in one pass: sampled, toned, given noise, rounded to whole grey levels, normalised.
 //
-// A row of a view stays in the cache from the first step to the last. Neither a grid of positions nor a frame in
-// floating point is ever written to memory.
+// A row of a view stays in the cache from the first step to the last. Neither a grid of positions nor a frame
+// in floating point is ever written to memory.
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +25,15 @@ inline float log2_of(float x) {
     float mantissa;
     std::memcpy(&mantissa, &bits, sizeof mantissa);
     const float t = (mantissa - 1) / (mantissa + 1), s = t * t;  // ln(m) = 2 atanh(t)
-    const float series = 1 + s * (1 / 3.0f + s * (1 / 5.0f + s * (1 / 7.0f + s * (1 / 9.0f))));
+    const float series = 1 + s * (1 / 3.0f + s * (1 / 5.0f + s * (1 / 7.0f)));
     return float(exponent) + 2.88539008f * t * series;  // 2 / ln(2)
 }
 
 // 2 to the power x, -126 < x < 128.
 inline float exp2_of(float x) {
     const float whole = std::rint(x), u = (x - whole) * 0.693147181f;
-    const float series = 1 + u * (1 + u * (1 / 2.0f + u * (1 / 6.0f + u * (1 / 24.0f + u * (1 / 120.0f + u / 720)))));
+    const float end = 1 / 24.0f + u * (1 / 120.0f + u / 720);
+    const float series = 1 + u * (1 + u * (1 / 2.0f + u * (1 / 6.0f + u * end)));
     const std::int32_t bits = (std::int32_t(whole) + 127) << 23;
     float scale;
     std::memcpy(&scale, &bits, sizeof scale);
@@ -43,8 +44,8 @@ struct Frame {
     const std::uint8_t *pixels;
     int height, width;
 
-    // A row of a view: `to[c * n + x]` is colour c at (sx + x * dx, sy + x * dy), in pixels from the first one's
-    // centre; bilinear, as if the frame lay on an endless plane of grey level `border`.
+    // A row of a view: `to[c * n + k]` is colour c at (sx + k * dx, sy + k * dy), in pixels from the first
+    // one's centre; bilinear, as if the frame lay on an endless plane of grey level `border`.
     void sample(float *to, int n, float sx, float sy, float dx, float dy, float border) const {
 #pragma omp simd
         for (int k = 0; k < n; ++k) {
@@ -72,12 +73,13 @@ struct Frame {
 
 }  // namespace
 
-// Writes float32 views [count, rows, columns, 3]. Of view b: `place` + 6 b maps its pixel centres to frame pixels;
-// `tone` + 3 b is gamma, gain and noise level; its noise, a value per colour, row and column, starts at bank[noise[b]].
+// Writes float32 views [count, rows, columns, 3]. Of view b: `place` + 6 b maps its pixel centres to frame
+// pixels; `tone` + 3 b is gamma, gain and noise level; its noise, a value per colour, row and column, starts
+// at bank[noise[b]].
 extern "C" void pictures(Size count, Size rows, Size columns, int threads, const std::uint8_t *frames,
                          const Size *frame, Size height, Size width, const float *place, const float *tone,
-                         const float *bank, const Size *noise, float border, const float *mean, const float *deviation,
-                         float *result) {
+                         const float *bank, const Size *noise, float border, const float *mean,
+                         const float *deviation, float *result) {
     const int n = int(columns);
 #pragma omp parallel num_threads(threads)
     {
@@ -97,8 +99,10 @@ extern "C" void pictures(Size count, Size rows, Size columns, int threads, const
                     const float *const grain = bank + noise[b] + (c * rows + row) * columns;
                     if (gamma != 1) {
 #pragma omp simd
-                        for (int k = 0; k < n; ++k)
-                            colour[k] = 255 * exp2_of(std::max(gamma * log2_of(std::max(colour[k] / 255, TINY)), -125.0f));
+                        for (int k = 0; k < n; ++k) {
+                            const float power = gamma * log2_of(std::max(colour[k] / 255, TINY));
+                            colour[k] = 255 * exp2_of(std::max(power, -125.0f));
+                        }
                     }
 #pragma omp simd
                     for (int k = 0; k < n; ++k) {
@@ -113,15 +117,16 @@ extern "C" void pictures(Size count, Size rows, Size columns, int threads, const
     }
 }
 
-// Writes bytes [count, cells]: the mask in the frame's pixel nearest to each cell's place in the view, 0 outside.
-extern "C" void masks(Size count, Size cells, const std::uint8_t *frames, const Size *frame, Size height, Size width,
-                      const float *place, const float *sampled, std::uint8_t *result) {
+// Writes bytes [count, cells]: the mask in the frame's pixel nearest to each cell's place in the view, or 0.
+extern "C" void masks(Size count, Size cells, const std::uint8_t *frames, const Size *frame, Size height,
+                      Size width, const float *place, const float *sampled, std::uint8_t *result) {
     for (Size b = 0; b < count; ++b) {
         const float *const m = place + 6 * b;
         const std::uint8_t *const pixels = frames + frame[b] * height * width * BYTES;
         for (Size k = 0; k < cells; ++k) {
             const float x = sampled[2 * k], y = sampled[2 * k + 1];
-            const float i = std::rint(m[0] * x + m[1] * y + m[2] - 0.5f), j = std::rint(m[3] * x + m[4] * y + m[5] - 0.5f);
+            const float i = std::rint(m[0] * x + m[1] * y + m[2] - 0.5f);
+            const float j = std::rint(m[3] * x + m[4] * y + m[5] - 0.5f);
             const bool outside = !(i >= 0 && i < float(width) && j >= 0 && j < float(height));
             result[b * cells + k] = outside ? 0 : pixels[(Size(j) * width + Size(i)) * BYTES + COLOURS];
         }
