@@ -28,6 +28,7 @@ from macram.train.feed import Feed
 from macram.train.few_channels import widen_batch_norm
 from macram.train.logs import Bar, Log
 from macram.train.mixed import autocast_helps, exact_layers
+from macram.train.narrow import narrow_convolutions
 from macram.train.norm_relu import fuse_batch_norm
 from macram.train.objective import Objective
 from macram.train.optimiser import Follower, make_optimiser
@@ -97,6 +98,7 @@ class Run:
         elif device.type == "cpu":
             widen_batch_norm(self.stage.module)
             fuse_batch_norm(self.stage.module)
+            narrow_convolutions(self.stage.module)
         named = [(n, p) for n, p in self.stage.module.named_parameters() if p.requires_grad]
         self.names: dict[Tensor, str] = {p: n for n, p in named}
         self.optimiser = make_optimiser(config.optimiser, [p for _, p in named])
