@@ -7,6 +7,7 @@ in ``norm_relu.cpp`` move eight, and keep one map for the backward pass instead 
 from __future__ import annotations
 
 import ctypes
+import functools
 from typing import Any, cast
 
 import torch
@@ -47,20 +48,29 @@ class _NormRelu(torch.autograd.Function):
         return to_x, grads[0] if ctx.needs_input_grad[1] else None, to_weight, to_bias, None
 
 
+@functools.cache
+def _kernel(name: str, dtype: torch.dtype) -> Any:
+    """A function of ``norm_relu.cpp``: rows, channels, threads, pointers, epsilon, pointers."""
+    kernel = getattr(library("norm_relu"), f"{name}_{KERNELS[dtype]}")
+    before, after = {"forward": (5, 2), "backward": (7, 2)}[name]
+    kernel.argtypes = (
+        *(ctypes.c_int64, ctypes.c_int64, ctypes.c_int),
+        *(before * [ctypes.c_void_p]),
+        ctypes.c_double,
+        *(after * [ctypes.c_void_p]),
+    )
+    return kernel
+
+
 def _call(
     name: str, x: Tensor, before: tuple[Tensor | None, ...], eps: float, after: tuple[Tensor, ...]
 ) -> None:
-    """Calls a kernel for maps like ``x``: rows, channels, threads, pointers, epsilon, pointers."""
-    kernel = getattr(library("norm_relu"), f"{name}_{KERNELS[x.dtype]}")
+    """Calls a kernel for maps like ``x``."""
     channels = x.shape[1]
-    kernel(
-        ctypes.c_int64(x.numel() // channels),
-        ctypes.c_int64(channels),
-        ctypes.c_int(torch.get_num_threads()),
-        *(ctypes.c_void_p(None if tensor is None else tensor.data_ptr()) for tensor in before),
-        ctypes.c_double(eps),
-        *(ctypes.c_void_p(tensor.data_ptr()) for tensor in after),
-    )
+    first = [None if tensor is None else tensor.data_ptr() for tensor in before]
+    last = [tensor.data_ptr() for tensor in after]
+    rows = x.numel() // channels
+    _kernel(name, x.dtype)(rows, channels, torch.get_num_threads(), *first, eps, *last)
 
 
 class RectifyingBatchNorm2d(WideBatchNorm2d):
