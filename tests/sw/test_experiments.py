@@ -12,11 +12,13 @@ from train_scene import write_scene
 
 from macram.cli import main
 from macram.data.recipe import read_recipe
+from macram.experiments import refined as refined_module
 from macram.experiments import run as run_module
 from macram.experiments.page import page
 from macram.experiments.plan import read_plan, read_result
 from macram.experiments.run import run_job
 from macram.experiments.statistics import Frames, difference, limits, read_frames, share, share_interval
+from macram.pose import EdgeSettings, LookSettings, PoseSettings
 from macram.train.config import load_config
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -43,6 +45,9 @@ evaluate_frames = 2
 PLAN = """
 data = "{data}"
 recipe = "unused"
+[refined]
+looks = 2
+edges = 0.99
 [[row]]
 name = "first"
 title = "First"
@@ -91,6 +96,8 @@ def test_a_row_trains_what_it_continues_and_is_done_once(plan, tmp_path, monkeyp
         "frames.csv",
         "frames.jpg",
         "curve.csv",
+        "refined.csv",
+        "refined.json",
     }
     frames = read_frames(folder / "frames.csv")
     assert share(frames) == pytest.approx(record["ranges"]["all"]["add"]["0.1"])
@@ -100,6 +107,54 @@ def test_a_row_trains_what_it_continues_and_is_done_once(plan, tmp_path, monkeyp
     assert (folder / "result.json").stat().st_mtime_ns == before
     (folder / "result.json").unlink()  # trained, not recorded: scored again, not trained
     run_job(second, runs, results, Console(quiet=True))
+
+
+def test_a_row_is_refined_before_it_is_finished_and_can_be_refined_later(plan, tmp_path, monkeypatch, capsys):
+    runs, results = tmp_path / "runs", tmp_path / "results"
+    first, other, _ = plan.jobs()
+    with monkeypatch.context() as patch:
+        patch.setattr(run_module, "write_refined", lambda *a: 1 / 0)
+        with pytest.raises(ZeroDivisionError):
+            run_job(first, runs, results, Console(quiet=True), limit=3)
+    assert first.state(runs, results) == "trained"
+
+    used = []
+    real = refined_module.detect_frames
+    monkeypatch.setattr(refined_module, "detect_frames", lambda *a: used.append(a[3]) or real(*a))
+    folder = run_job(first, runs, results, Console(quiet=True), limit=3)
+    assert used == [PoseSettings(looks=LookSettings(turns=2), edges=EdgeSettings(box=0.99))]
+    written = [(folder / name).read_bytes() for name in ("refined.json", "refined.csv")]
+    table, record = json.loads(written[0]), read_result(folder)
+    assert table["options"] == "--looks 2 --edges 0.99"
+    assert table["solver"].endswith("2 second looks, edges of a box of 0.99")
+    assert table["model_sha256"] == record["model_sha256"]
+    assert table["frames"] == record["frames"] == 3
+    frames = read_frames(folder / "refined.csv")
+    assert frames.names == read_frames(folder / "frames.csv").names
+    assert share(frames) == pytest.approx(table["ranges"]["all"]["add"]["0.1"])
+
+    (folder / "refined.json").unlink()
+    (folder / "refined.csv").unlink()
+    command = [
+        "experiments",
+        "refine",
+        "first",
+        "--plan",
+        str(tmp_path / "plan.toml"),
+        "--results",
+        str(results),
+    ]
+    assert main([*command, str(first.folder(runs))]) == 0
+    assert written == [(folder / name).read_bytes() for name in ("refined.json", "refined.csv")]
+
+    run_module.train_job(other, runs, Console(quiet=True))
+    assert main([*command, str(other.folder(runs))]) == 2
+    assert "is another network than the record first.s1 has" in capsys.readouterr().err
+    assert main([*command, str(other.folder(runs)), "--seed", "2"]) == 2  # no record at all
+    (folder / "frames.csv").write_text((folder / "frames.csv").read_text().replace("000003,", "000009,"))
+    assert main([*command, str(first.folder(runs))]) == 2
+    assert "has other test frames than the record first.s1" in capsys.readouterr().err
+    assert written == [(folder / name).read_bytes() for name in ("refined.json", "refined.csv")]
 
 
 def test_a_network_of_another_configuration_is_no_record_of_a_row(plan, tmp_path):
@@ -119,6 +174,11 @@ def test_a_network_of_another_configuration_is_no_record_of_a_row(plan, tmp_path
         ("seeds = [1]\n", "seeds = [3]\n", "with its seeds"),
         ('title = "First"', 'colour = "red"', "unknown field 'colour'"),
         ('group = "seeds"', 'group = "others"', "group must be one of"),
+        ("looks = 2", "looks = 2.5", r"\[refined\] .*whole number"),
+        ("looks = 2", "looks = 0", r"\[refined\] .*1 to 64 looks"),
+        ("edges = 0.99", "edges = nan", r"\[refined\] .*box must be above 0"),
+        ("edges = 0.99", "", r"\[refined\] .*missing .*edges"),
+        ("edges = 0.99", "edges = 0.99\nturns = 1", r"\[refined\] .*turns"),
     ],
 )
 def test_a_broken_plan_is_one_line(plan, old, new, message, tmp_path):
@@ -154,10 +214,18 @@ def test_every_picture_of_the_page_is_there():
 
 def test_records_agree_with_their_frames(monkeypatch):
     monkeypatch.chdir(ROOT)
-    for path in Path("results").glob("*/result.json"):
-        record, frames = read_result(path.parent), read_frames(path.parent / "frames.csv")
-        for name, table in record["ranges"].items():
+    for path in [*Path("results").glob("*/result.json"), *Path("results").glob("*/refined.json")]:
+        frames = read_frames(path.parent / ("frames.csv" if path.name == "result.json" else "refined.csv"))
+        for name, table in json.loads(path.read_text())["ranges"].items():
             assert share(frames, name) == pytest.approx(table["add"]["0.1"], abs=0.11), path
+
+
+def test_the_box_of_refined_scores_is_the_one_measured_on_training_frames():
+    plan = read_plan(ROOT / "configs/experiments.toml")
+    measured = json.loads((ROOT / "results/inference-quarter-control.json").read_text())
+    assert plan.refined.edges == measured["edge_box"]
+    name = f"{plan.refined.looks} looks, edges"
+    assert any((row["name"], row["split"]) == (name, "validation") for row in measured["rows"])
 
 
 def test_the_recipe_is_the_mini_tier_with_backgrounds():

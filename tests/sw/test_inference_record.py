@@ -14,7 +14,7 @@ from macram.data.open import open_dataset
 from macram.experiments import inference
 from macram.experiments.inference import ALL, Try, edge_box, tries_file, try_all
 from macram.experiments.integers import record_integers
-from macram.experiments.plan import Job, Plan, Row
+from macram.experiments.plan import Job, Plan, Refined, Row
 from macram.experiments.tried import tried
 from macram.model import SpaceNet, spacenet_config
 from macram.pose import EdgeSettings, LookSettings, PoseSettings
@@ -113,7 +113,7 @@ def job(tmp_path):
     lines = ["frame,range,z_d,add_d,re_deg,te_d", "a/0,near,2,0.05,1,0.05", "a/1,far,8,0.3,2,0.3"]
     (folder / "frames.csv").write_text("\n".join(lines) + "\n")
     row = Row("quantised", "Quantised", "quantised", tmp_path / "unused.toml", seeds=(1,))
-    return Job(Plan(tmp_path, tmp_path, (row,)), row, 1)
+    return Job(Plan(tmp_path, tmp_path, Refined(4, 0.99), (row,)), row, 1)
 
 
 def evaluation(path, **details):

@@ -16,7 +16,7 @@ from macram.pose import Pose, project
 from macram.pose.warp import Draw, Warp, exact_warp, warp_image, warp_mask
 from macram.train.augment import NONE, AugmentSettings
 from macram.train.losses import LossWeights, focal_loss, object_space_loss
-from macram.train.objective import PER_IMAGES, SLOTS, Objective, assign, normalised, positive_slots
+from macram.train.objective import PER_IMAGES, SLOTS, Objective, assign, sight, positive_slots
 from macram.train.pack import pack_frames
 from macram.train.settings import DataSettings
 from macram.train.targets import IGNORED, POSITIVE, cells_in_mask
@@ -349,11 +349,11 @@ def test_losses_equal_the_plain_sums(frames):
     assert all(float(half[name]) == pytest.approx(float(got[name]) / 2) for name in got)
 
 
-def test_normalised_coordinates_follow_from_the_inverse_camera():
+def test_lines_of_sight_follow_from_the_inverse_camera():
     camera = torch.tensor([[300.0, 7, 120], [0, 290, 90], [0, 0, 1]], dtype=torch.float64)
     pixels = torch.rand(5, 2, dtype=torch.float64) * 200
     rays = torch.nn.functional.pad(pixels, (0, 1), value=1.0) @ torch.linalg.inv(camera).T
-    assert torch.allclose(normalised(pixels, camera), rays[:, :2], atol=1e-12)
+    assert torch.allclose(sight(pixels, camera), rays, atol=1e-12)
 
 
 def test_perfect_predictions_cost_nothing(frames):

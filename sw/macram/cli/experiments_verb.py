@@ -1,4 +1,4 @@
-"""``macram experiments list | run | record | table``."""
+"""``macram experiments list | run | record | refine | integers | inference | table``."""
 
 from __future__ import annotations
 
@@ -28,7 +28,8 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
         "run",
         help="train and score a row",
         description="Trains the row (and the row it continues, if its network is not there), scores it on the test "
-        "split and writes its record. What is done is not done again; an interrupted run goes on from its checkpoint.",
+        "split, by a single look and refined ([refined] of the plan), and writes its record. What is done is not done "
+        "again; an interrupted run goes on from its checkpoint.",
     )
     run.add_argument("row", help="as macram experiments list has it, or all")
     run.add_argument("--seed", type=int, help="only this one of the row's seeds")
@@ -48,12 +49,23 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
         "--evaluation",
         type=Path,
         metavar="JSON",
-        help="evaluation.json of this network, to save scoring it again",
+        help="evaluation.json of this network by a single look, to save scoring it again",
     )
     record.add_argument("--seed", type=int, help="default: the row's first seed")
     record.add_argument(
         "--limit", type=int, default=0, help="score only so many test frames; the record says so"
     )
+
+    refine = actions.add_parser(
+        "refine",
+        help="add the refined scores to a record",
+        description="For records without them, or after [refined] of the plan has changed: more looks at every picture "
+        "and its edges, on the record's own frames. The network must be the recorded one, by its SHA-256. Up to 8 "
+        "processes share the frames.",
+    )
+    refine.add_argument("row", help="as macram experiments list has it")
+    refine.add_argument("folder", type=Path, metavar="RUN", help="with the row's model.safetensors")
+    refine.add_argument("--seed", type=int, help="default: the row's first seed")
 
     integers = actions.add_parser(
         "integers",
@@ -82,7 +94,7 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
     table = actions.add_parser("table", help="make docs/results.md and its pictures from the records")
     table.add_argument("-o", "--out", type=Path, default=Path("docs"), metavar="DIR", help="default: docs")
 
-    for action in (rows, run, record, integers, inference, table):
+    for action in (rows, run, record, refine, integers, inference, table):
         action.add_argument("--plan", type=Path, default=Path("configs/experiments.toml"), metavar="TOML",
                             help="default: configs/experiments.toml")  # fmt: skip
         action.add_argument(
@@ -104,6 +116,7 @@ def _list(arguments: argparse.Namespace) -> int:
 
     from macram.cli.console import open_console  # noqa: PLC0415
     from macram.experiments.plan import read_plan, read_result  # noqa: PLC0415
+    from macram.experiments.refined import read_refined  # noqa: PLC0415
 
     jobs = list(read_plan(arguments.plan).jobs())
     states = [job.state(arguments.runs, arguments.results) for job in jobs]
@@ -117,17 +130,21 @@ def _list(arguments: argparse.Namespace) -> int:
             "state": state,
         }
         if state == "finished":
-            row["add_0.1"] = read_result(arguments.results / job.key)["ranges"]["all"]["add"]["0.1"]
+            folder = arguments.results / job.key
+            record = read_result(folder)
+            row["add_0.1"] = record["ranges"]["all"]["add"]["0.1"]
+            if refined := read_refined(job, folder, record):
+                row["refined_add_0.1"] = refined.table["ranges"]["all"]["add"]["0.1"]
         rows.append(row)
     if arguments.json:
         print(json.dumps(rows, indent=2))
         return OK
     table = Table(title=f"{states.count('finished')} of {len(jobs)} finished", title_justify="left")
-    for column in ("row", "seed", "what", "continues", "state", "ADD-0.1d"):
+    for column in ("row", "seed", "what", "continues", "state", "ADD-0.1d", "refined"):
         table.add_column(column)
     for row in rows:
-        score = f"{row['add_0.1']:.2f} %" if "add_0.1" in row else ""
-        table.add_row(row["row"], str(row["seed"]), row["title"], row["after"], row["state"], score)
+        scores = [f"{row[key]:.2f} %" if key in row else "" for key in ("add_0.1", "refined_add_0.1")]
+        table.add_row(row["row"], str(row["seed"]), row["title"], row["after"], row["state"], *scores)
     open_console().print(table)
     return OK
 
@@ -180,6 +197,21 @@ def _record(arguments: argparse.Namespace) -> int:
     return OK
 
 
+def _refine(arguments: argparse.Namespace) -> int:
+    from macram.cli.console import open_console  # noqa: PLC0415
+    from macram.cli.evaluate_verb import frames_progress  # noqa: PLC0415
+    from macram.experiments.plan import Job, read_plan  # noqa: PLC0415
+    from macram.experiments.run import refine_job  # noqa: PLC0415
+
+    plan, console = read_plan(arguments.plan), open_console()
+    row = plan.row(arguments.row)
+    job = Job(plan, row, row.seeds[0] if arguments.seed is None else arguments.seed)
+    with frames_progress(console) as told:
+        path = refine_job(job, arguments.folder, arguments.results, told=told)
+    console.print(f"{job.key}: refined, {path}", highlight=False, markup=False, soft_wrap=True)
+    return OK
+
+
 def _integers(arguments: argparse.Namespace) -> int:
     from macram.experiments.integers import record_integers  # noqa: PLC0415
     from macram.experiments.plan import Job, read_plan  # noqa: PLC0415
@@ -227,6 +259,7 @@ ACTIONS = {
     "list": _list,
     "run": _run,
     "record": _record,
+    "refine": _refine,
     "integers": _integers,
     "inference": _inference,
     "table": _table,

@@ -24,6 +24,11 @@ class Recipe:
     spec: RenderSpec
     poses_sha256: str
 
+    @property
+    def version(self) -> str:
+        """Name and beginning of the hash, as records have it."""
+        return f"{self.name}, poses {self.poses_sha256[:12]}"
+
     def check(self, root: Path) -> None:
         """Holds a finished data set against the recipe.
 

@@ -9,27 +9,38 @@ from typing import Any
 from macram.data.files import read_json
 from macram.experiments.integers import INTEGERS
 from macram.experiments.plan import RESULT, Job, Plan, read_result
+from macram.experiments.refined import RefinedScores, read_refined
 from macram.experiments.statistics import Frames, read_frames
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Finished:
-    """One record with its frames, and the scores of its deployed integers where there are any."""
+    """One record with its frames, and where there are any its refined scores and those of its deployed integers."""
 
     job: Job
     table: dict[str, Any]
     frames: Frames
+    refined: RefinedScores | None
     integers: dict[str, Any] | None
 
 
 def finished(plan: Plan, results: Path) -> list[Finished]:
-    """Every record that is there, in the order of the plan."""
+    """Every record that is there, in the order of the plan.
+
+    Raises:
+        ValueError: a broken file, or one of another network than the record beside it.
+    """
     return [
-        Finished(job, read_result(folder), read_frames(folder / "frames.csv"), _integers(folder / INTEGERS))
-        for job in plan.jobs()
-        if ((folder := results / job.key) / RESULT).is_file()
+        _finished(job, folder) for job in plan.jobs() if ((folder := results / job.key) / RESULT).is_file()
     ]
 
 
-def _integers(path: Path) -> dict[str, Any] | None:
-    return read_json(path) if path.is_file() else None
+def _finished(job: Job, folder: Path) -> Finished:
+    record, integers = read_result(folder), folder / INTEGERS
+    return Finished(
+        job,
+        record,
+        read_frames(folder / "frames.csv"),
+        read_refined(job, folder, record),
+        read_json(integers) if integers.is_file() else None,
+    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
-from macram.experiments import sections
+from macram.experiments import beside, sections
 from macram.experiments.curves import curves_svg
 from macram.experiments.finished import finished
 from macram.experiments.plan import Plan
@@ -53,11 +53,15 @@ def page(plan: Plan, results: Path) -> str:
         "hand. `macram experiments list` says how far every row is, `macram experiments run ROW` runs "
         "one.\n\nAll scores are "
         "on rendered data and not comparable with tables on SwissCube or SPEED.",
+        beside.introduction(plan),
         *sections.data(results),
         *sections.shipped(results),
         *sections.questions(done),
+        *beside.questions(done),
         *sections.seeds(plan, done),
+        *beside.seeds(plan, done),
         *sections.quantised(done, cited),
+        *beside.quantised(done),
         *sections.cited(cited),
         *sections.curves(done),
         *sections.limits(done),

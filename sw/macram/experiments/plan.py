@@ -9,13 +9,15 @@ from pathlib import Path
 from typing import Any
 
 from macram.data.files import read_json
+from macram.data.recipe import Recipe, read_recipe
+from macram.pose import EdgeSettings, LookSettings, PoseSettings
 from macram.train.checkpoint import read_tensors
 from macram.train.config import TrainConfig, load_config
 
 PLAN = Path("configs/experiments.toml")
 RESULTS = Path("results")
 RUNS = Path("build/experiments")
-GROUPS = ("questions", "seeds", "quantised")
+GROUPS = ("questions", "seeds", "data", "quantised")
 DEFAULT_SEED = 2022
 MODEL, LAST, RESULT = "model.safetensors", "last.safetensors", "result.json"
 
@@ -44,18 +46,62 @@ class Row:
 
 
 @dataclass(frozen=True, slots=True)
+class Refined:
+    """The second way to find poses that every row is scored by, calibrated without test frames.
+
+    Attributes:
+        looks: turned crops around the first pose, chosen on validation frames.
+        edges: size of the box of visible edges in boxes of the keypoints, measured on training frames.
+
+    Raises:
+        ValueError: a value out of range.
+    """
+
+    looks: int
+    edges: float
+
+    def __post_init__(self) -> None:
+        if type(self.looks) is not int or type(self.edges) not in {int, float}:
+            raise ValueError(f"looks must be a whole number and edges a number, not {self}")
+        _ = self.settings
+
+    @property
+    def settings(self) -> PoseSettings:
+        """For the predictor."""
+        return PoseSettings(looks=LookSettings(turns=self.looks), edges=EdgeSettings(box=self.edges))
+
+    @property
+    def options(self) -> str:
+        """Of ``macram evaluate``."""
+        return f"--looks {self.looks} --edges {self.edges}"
+
+
+@dataclass(frozen=True, slots=True)
 class Plan:
     """All rows of one file.
 
     Attributes:
-        data: folder of the data set.
+        data: folder of the data set whose test split scores the rows.
         recipe: of the data set.
+        training: folder of the data set that rows learn from, unless they set ``data.root``.
+        training_recipe: of that one.
+        refined: how rows are scored beside the single look.
         rows: in the order of the file, so that none comes before the row it continues.
     """
 
     data: Path
     recipe: Path
+    training: Path
+    training_recipe: Path
+    refined: Refined
     rows: tuple[Row, ...]
+
+    def recipe_of(self, root: str) -> Recipe | None:
+        """The recipe of the data set in ``root``; None for a folder that the plan does not know."""
+        for folder, recipe in ((self.data, self.recipe), (self.training, self.training_recipe)):
+            if root == str(folder):
+                return read_recipe(recipe)
+        return None
 
     def row(self, name: str) -> Row:
         """The row called ``name``.
@@ -102,10 +148,10 @@ class Job:
         """
         before = self.before()
         changes = {
+            "data.root": str(self.plan.training),
             **self.row.set,
             "run.seed": self.seed,
             "run.out": str(self.folder(runs)),
-            "data.root": str(self.plan.data),
         }
         if before is not None:
             changes["run.init"] = str(before.folder(runs) / MODEL)
@@ -137,18 +183,24 @@ def read_plan(path: Path = PLAN) -> Plan:
     """The rows of a file.
 
     Raises:
-        ValueError: no such file, not TOML, a field that is unknown or missing, a name that is there twice, or a
-            row that continues one that does not stand before it or lacks one of its seeds.
+        ValueError: no such file, not TOML, a field that is unknown, missing or out of range, a name that is there
+            twice, or a row that continues one that does not stand before it or lacks one of its seeds.
     """
     try:
         table = tomllib.loads(path.read_text())
         entries, data, recipe = table["row"], Path(table["data"]), Path(table["recipe"])
+        training = table.get("training", {"data": data, "recipe": recipe})
+        training_data, training_recipe = Path(training["data"]), Path(training["recipe"])
     except FileNotFoundError:
         raise ValueError(
             f"{path}: no such plan; run this in the repository or name one with --plan"
         ) from None
     except (tomllib.TOMLDecodeError, KeyError) as error:
         raise ValueError(f"{path}: not a plan ({error})") from None
+    try:
+        refined = Refined(**table.get("refined", {}))
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{path}: [refined] needs looks and edges alone ({error})") from None
     rows: dict[str, Row] = {}
     for entry in entries:
         row = _row(path, entry)
@@ -159,7 +211,7 @@ def read_plan(path: Path = PLAN) -> Plan:
                 f"{path}: row {row.name!r} continues {row.after!r}, which must stand before it, with its seeds"
             )
         rows[row.name] = row
-    return Plan(data, recipe, tuple(rows.values()))
+    return Plan(data, recipe, training_data, training_recipe, refined, tuple(rows.values()))
 
 
 def _row(path: Path, entry: dict[str, Any]) -> Row:

@@ -13,8 +13,11 @@ from rich.console import Console
 from macram.data.files import read_json, write_picture
 from macram.data.open import dataset_version, open_dataset
 from macram.data.recipe import read_recipe
-from macram.experiments.plan import LAST, MODEL, RESULT, Job
-from macram.pose import Evaluation
+from macram.experiments.plan import LAST, MODEL, RESULT, Job, read_result
+from macram.experiments.refined import write_refined
+from macram.experiments.scores import frames_csv, score_form, scores
+from macram.experiments.statistics import read_frames
+from macram.pose import Evaluation, PoseSettings
 from macram.report.files import write_json, write_text
 from macram.train.checkpoint import Card, load_model
 from macram.train.config import completed
@@ -28,7 +31,6 @@ from macram.weights import sha256
 
 SPLIT = "testing"
 CURVE_LINES = 120
-FRAME_COLUMNS = ("frame", "range", "z_d", "add_d", "re_deg", "te_d")
 
 
 def run_job(
@@ -73,8 +75,11 @@ def train_job(job: Job, runs: Path, console: Console) -> None:
     before = job.before()
     if before is not None:
         train_job(before, runs, console)
+    config = job.config(runs)
+    if recipe := job.plan.recipe_of(config.data.root):
+        recipe.check(Path(config.data.root))
     console.print(f"{job.key}: training", highlight=False, markup=False)
-    Run(job.config(runs), join_processes("auto"), console, resume=(job.folder(runs) / LAST).is_file()).train()
+    Run(config, join_processes("auto"), console, resume=(job.folder(runs) / LAST).is_file()).train()
 
 
 def record_job(
@@ -87,7 +92,9 @@ def record_job(
     scored: Path | None = None,
     told: Callable[[int, int], None] | None = None,
 ) -> Path:
-    """Scores a trained job and writes its record: ``result.json``, ``frames.csv``, ``curve.csv``, ``frames.jpg``.
+    """Scores a trained job by a single look and refined, and writes its record.
+
+    That is ``frames.csv``, ``curve.csv``, ``frames.jpg``, ``refined.csv``, ``refined.json`` and ``result.json``.
 
     Args:
         job: what the run is of.
@@ -95,7 +102,8 @@ def record_job(
         results: folder of records.
         device: it was trained on, in words.
         limit: score only so many test frames.
-        scored: ``evaluation.json`` of this very network on these frames, where `macram evaluate` has run.
+        scored: ``evaluation.json`` of this very network on these frames by a single look, where `macram evaluate`
+            has run.
         told: called with the number of frames scored and their total.
 
     Raises:
@@ -103,7 +111,8 @@ def record_job(
     """
     net, card = load_model(run / MODEL)
     check_configuration(job, card)
-    predictor = Predictor(net, card, join_processes("auto").device)
+    place = join_processes("auto").device
+    predictor = Predictor(net, card, place)
     frames = thinned(open_dataset(job.plan.data).frames(SPLIT), limit)
     if scored is None:
         evaluation, _ = evaluate_frames(predictor, frames, told)
@@ -116,9 +125,39 @@ def record_job(
     chosen = [frames[index] for index in outcomes(evaluation)]
     shown = list(predictor.detections([(frame.read_image(), frame.camera) for frame in chosen]))
     write_picture(folder / "frames.jpg", sample_sheet(chosen, shown), 85)
+    write_refined(job, card, run / MODEL, frames, folder, str(place), told)
     # The record comes last: a row is finished when it is there.
     write_json(folder / RESULT, _record(job, card, run, evaluation, device, limit))
     return folder
+
+
+def refine_job(job: Job, run: Path, results: Path, *, told: Callable[[int, int], None] | None = None) -> Path:
+    """Adds ``refined.csv`` and ``refined.json`` to the record of a finished job, on the record's own frames.
+
+    Args:
+        job: with a record.
+        run: folder with the ``model.safetensors`` that the record is of.
+        results: folder of records.
+        told: called with the number of frames scored and their total.
+
+    Returns:
+        The path of ``refined.json``.
+
+    Raises:
+        ValueError: no record, another network than the record's, or other frames in the data set.
+    """
+    folder, model = results / job.key, run / MODEL
+    record = read_result(folder)
+    _, card = load_model(model)
+    if sha256(model) != record["model_sha256"]:
+        raise ValueError(f"{model}: is another network than the record {job.key} has; name the run it is of")
+    limit = 0 if record["all_frames"] else record["frames"]
+    frames = thinned(open_dataset(job.plan.data).frames(SPLIT), limit)
+    if tuple(frame.name for frame in frames) != read_frames(folder / "frames.csv").names:
+        raise ValueError(
+            f"{job.plan.data}: has other test frames than the record {job.key}; record the row again"
+        )
+    return write_refined(job, card, model, frames, folder, str(join_processes("auto").device), told)
 
 
 def check_configuration(job: Job, card: Card) -> None:
@@ -140,16 +179,22 @@ def read_evaluation(path: Path, names: Sequence[str]) -> Evaluation:
     """An ``evaluation.json`` of the float form or training graph.
 
     Raises:
-        ValueError: not an evaluation, of deployed integers, or of other frames than ``names``.
+        ValueError: not an evaluation, of deployed integers, by another solver than the default, or of other frames
+            than ``names``.
     """
     table = read_json(path)
     try:
-        evaluation, form = Evaluation(table["rows"], table["summary"]), table["details"]["form"]
+        evaluation, details = Evaluation(table["rows"], table["summary"]), table["details"]
+        form, solver = details["form"], details.get("solver", PoseSettings().words)
     except (KeyError, TypeError):
         raise ValueError(f"{path}: not an evaluation; give the evaluation.json of macram evaluate") from None
     if "integers" in form:
         raise ValueError(
             f"{path}: is of the {form}; a record wants the training graph, evaluate without --integer"
+        )
+    if solver != PoseSettings().words:
+        raise ValueError(
+            f"{path}: poses by {solver}; a record wants a single look, macram evaluate's default"
         )
     if [row["frame"] for row in evaluation.rows] != list(names):
         raise ValueError(
@@ -163,19 +208,6 @@ def outcomes(evaluation: Evaluation, count: int = 4) -> list[int]:
     order = np.argsort([row["add_d"] for row in evaluation.rows], kind="stable")
     ranks = np.linspace(0, len(order) - 1, 2 * count).round().astype(int)
     return [int(order[rank]) for rank in ranks]
-
-
-def frames_csv(evaluation: Evaluation) -> str:
-    """Errors frame by frame, five digits; empty where nothing was found."""
-    diameter = evaluation.summary["diameter_mm"]
-    lines = [",".join(FRAME_COLUMNS)]
-    for row in evaluation.rows:
-        te = None if row["te_mm"] is None else row["te_mm"] / diameter
-        numbers = (row["z_d"], row["add_d"], row["re_deg"], te)
-        lines.append(
-            ",".join([row["frame"], row["fixed"], *("" if n is None else f"{n:.5g}" for n in numbers)])
-        )
-    return "\n".join(lines) + "\n"
 
 
 def thinned_curve(log: Path) -> str:
@@ -193,6 +225,12 @@ def thinned_curve(log: Path) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _version(job: Job, root: str) -> str:
+    """Of a data set, which may have been on another machine."""
+    recipe = job.plan.recipe_of(root)
+    return recipe.version if recipe else dataset_version(Path(root))
+
+
 def _record(
     job: Job,
     card: Card,
@@ -201,7 +239,7 @@ def _record(
     device: str,
     limit: int,
 ) -> dict[str, Any]:
-    stage, summary = card.history[-1], evaluation.summary
+    stage = card.history[-1]
     return {
         "format": 1,
         "row": job.row.name,
@@ -216,15 +254,11 @@ def _record(
         "images_with_earlier_stages": sum(record["visits"] for record in card.history),
         "minutes": round(stage["minutes"], 2),
         "device": device,
-        "dataset": dataset_version(job.plan.data),
+        "dataset": _version(job, stage["config"]["data"]["root"]),
+        "scored_on": _version(job, str(job.plan.data)),
         "model_sha256": sha256(run / MODEL),
-        "frames": summary["frames"],
         "all_frames": not limit,
-        "misses": summary["misses"],
-        "score_form": f"{card.bits} bit, mode {card.mode}, training graph" if card.mode else "float32",
-        "ranges": {
-            name: {"frames": table["frames"], "add": table["add"], "adi": table["adi"], "proj": table["proj"]}
-            for name, table in summary["fixed"].items()
-        },
-        "speed": summary["speed"],
+        "score_form": score_form(card),
+        **scores(evaluation),
+        "speed": evaluation.summary["speed"],
     }

@@ -16,6 +16,8 @@ from macram.weights import read_index
 MEBI = 2**20
 LIMITING = "quarter-control.s2022"
 """The record that 'what limits accuracy' looks into: the best float network."""
+CONTROL = "quarter-control"
+"""The row that others of its table are held against."""
 SHOWN = ("quarter-control.s2022", "quarter-w3a3.s2022")
 """Records whose frames are shown."""
 
@@ -117,7 +119,7 @@ def questions(done: Sequence[Finished]) -> list[str]:
         table(["row", *SCORE_COLUMNS], [[f.job.row.title, *_scores(f)] for f in rows]),
     ]
     by_name = {f.job.row.name: f for f in rows}
-    control = by_name.get("quarter-control")
+    control = by_name.get(CONTROL)
     if control is not None:
         lines = [_difference(f, control) for f in rows if f is not control]
         parts.append("Against the control, on the same frames:\n\n" + "\n".join(lines))

@@ -41,8 +41,7 @@ def _rows(record: dict[str, Any], split: str) -> list[dict[str, Any]]:
 def _introduction(record: dict[str, Any], rows: Sequence[dict[str, Any]]) -> str:
     return (
         f"`macram experiments inference MODEL` on `{record['network']}`, trained once, {rows[0]['frames']:,} frames of "
-        "the validation split. All tables above this one take a single look, as "
-        "the paper's evaluation does. *CPU s* is the time of one core for a picture, network and "
+        "the validation split. *CPU s* is the time of one core for a picture, network and "
         "reading included; rotation is the median. *Looks* are turned crops around the first pose, in which the target "
         "has 56 of 128 pixels; *edges* align the pose with the picture's steps of brightness along the edges of a box "
         f"of {record['edge_box']:g} of the keypoints' box, measured on {record['edge_box_frames']} training frames "

@@ -18,6 +18,7 @@ from typing import Any, cast
 import torch
 from torch import Tensor, nn
 
+from macram.quant.one_pass import Function, has_one_pass, in_one_pass
 from macram.spec import IntFormat
 
 MIN_STEP = 1e-8
@@ -72,7 +73,8 @@ class LsqQuantizer(nn.Module):
             features //= v.shape[0]
         scale = 1.0 / math.sqrt(features * self.code_format.hi)
         lo, hi = self.code_format.lo, self.code_format.hi
-        return cast(Tensor, _Lsq.apply(v, self.step, lo, hi, scale))  # type: ignore[no-untyped-call]
+        one_pass = self.batched and torch.is_grad_enabled() and has_one_pass(v)
+        return cast(Tensor, _Lsq.apply(v, self.step, lo, hi, scale, one_pass))  # type: ignore[no-untyped-call]
 
     def to_codes(self, v: Tensor) -> Tensor:
         """Values -> int64 codes ``lo..hi``: exactly the codes that `forward` multiplies by the step."""
@@ -91,20 +93,30 @@ def _codes(q: Tensor, lo: int, hi: int) -> Tensor:
 
 class _Lsq(torch.autograd.Function):
     @staticmethod
-    def forward(ctx: Any, v: Tensor, step: Tensor, lo: int, hi: int, scale: float) -> Tensor:
+    def forward(ctx: Any, v: Tensor, step: Tensor, lo: int, hi: int, scale: float, one_pass: bool) -> Tensor:
         positive = step.clamp_min(MIN_STEP)
         ctx.save_for_backward(v, positive)
-        ctx.bounds, ctx.scale = (lo, hi), scale
-        return _codes(v / positive, lo, hi) * positive
+        ctx.bounds, ctx.scale, ctx.one_pass = (lo, hi), scale, one_pass
+        return _called(one_pass, _quantised, (v,), positive, lo, hi)[0]
 
     @staticmethod
     def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor | None, ...]:
-        (grad,) = grads
         v, step = ctx.saved_tensors
-        lo, hi = ctx.bounds
-        q = v / step
-        inside = (q > lo) & (q < hi)
-        grad_v = grad * inside
-        slope = torch.where(inside, q.round() - q, q.clamp(lo, hi))
-        grad_step = (grad * slope).sum_to_size(step.shape) * ctx.scale
-        return grad_v, grad_step, None, None, None
+        grad_v, to_step = _called(ctx.one_pass, _gradients, (v, *grads), step, *ctx.bounds)
+        return grad_v, to_step.sum_to_size(step.shape) * ctx.scale, None, None, None, None
+
+
+def _called(one_pass: bool, function: Function, maps: tuple[Tensor, ...], *others: Any) -> tuple[Tensor, ...]:
+    return in_one_pass(function, maps, *others) if one_pass else function(*maps, *others)
+
+
+def _quantised(v: Tensor, step: Tensor, lo: int, hi: int) -> tuple[Tensor]:
+    return (_codes(v / step, lo, hi) * step,)
+
+
+def _gradients(v: Tensor, grad: Tensor, step: Tensor, lo: int, hi: int) -> tuple[Tensor, Tensor]:
+    """Of the value, and what adds up to that of the step."""
+    q = v / step
+    inside = (q > lo) & (q < hi)
+    slope = torch.where(inside, q.round() - q, q.clamp(lo, hi))
+    return grad * inside, grad * slope

@@ -15,6 +15,7 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from macram.model import ConvBlock, DarkNet53, ResidualUnit, Stage
+from macram.model.backbone import rectified
 from macram.quant.lsq import LsqQuantizer
 from macram.spec import IntFormat
 
@@ -141,4 +142,4 @@ class QuantConv(nn.Module):
             stride=self.conv.stride,
             padding=cast(tuple[int, int], self.conv.padding),
         )
-        return functional.relu(self.bn(y))
+        return rectified(self.bn, y)

@@ -25,14 +25,14 @@ from macram.train.checkpoint import (
 from macram.train.config import TrainConfig, completed
 from macram.train.distributed import Processes, share_batch_norm
 from macram.train.feed import Feed
-from macram.train.few_channels import widen_batch_norm
+from macram.train.fused import fuse_batch_norm
 from macram.train.logs import Bar, Log
 from macram.train.mixed import autocast_helps, exact_layers
 from macram.train.narrow import narrow_convolutions
-from macram.train.norm_relu import fuse_batch_norm
 from macram.train.objective import Objective
 from macram.train.optimiser import Follower, make_optimiser
 from macram.train.pack import pack_frames
+from macram.train.replay import Replay
 from macram.train.resume import check_same_run, under
 from macram.train.samples import score, validation_frames
 from macram.train.schedule import crop_phase, learning_rate, progress
@@ -95,9 +95,9 @@ class Run:
         processes.copy_first(self.stage.module)
         if processes.world > 1:
             share_batch_norm(self.stage.module)
-        elif device.type == "cpu":
-            widen_batch_norm(self.stage.module)
-            fuse_batch_norm(self.stage.module)
+        else:
+            fuse_batch_norm(self.stage.module, device)
+        if device.type == "cpu":
             narrow_convolutions(self.stage.module)
         named = [(n, p) for n, p in self.stage.module.named_parameters() if p.requires_grad]
         self.names: dict[Tensor, str] = {p: n for n, p in named}
@@ -110,6 +110,9 @@ class Run:
         allowed = not self.stage.card.mode and autocast_helps(device)
         self.mixed = wanted == "bf16" or (wanted == "auto" and allowed)
         self.autocast = torch.autocast(device.type, torch.bfloat16, enabled=self.mixed)
+        self.replay = None
+        if device.type == "cuda" and processes.world == 1 and config.run.graphs:
+            self.replay = Replay(self._backward, [p for _, p in named])
 
     def _packed(self) -> Any:
         config, filled = self.config, self.config.run.stage == "counterfactual"
@@ -208,10 +211,9 @@ class Run:
         batch, cells, side = self._next_batch(images, done)
         losses = self._gradients(batch, cells, images, surface=done < self.config.surface_until)
         rate = learning_rate(schedule, self.config.optimiser.lr, self.step, done)
-        norm = self._update(rate, torch.stack([value.detach() for value in losses.values()]).sum())
+        norm = self._update(rate, torch.stack(list(losses.values())).sum())
         self.visits += images
-        values = {name: value.detach() for name, value in losses.items()}
-        return values | {
+        return losses | {
             "grad_norm": norm,
             "lr": torch.tensor(rate),
             "size": torch.tensor(float(side)),
@@ -223,13 +225,20 @@ class Run:
 
     def _gradients(self, batch: Batch, cells: Cells, images: int, *, surface: bool) -> dict[str, Tensor]:
         """Forward and backward: losses by name, gradients of all processes."""
-        with self.autocast:
-            losses = self.stage.losses(self.objective, batch, cells, images, surface=surface)
+        if self.replay is None:
+            self.optimiser.zero_grad(set_to_none=True)
+            losses = self._backward(batch, cells, images, surface)
+        else:
+            losses = self.replay(batch, cells, images, surface)
         self.loss_names = tuple(losses)
-        self.optimiser.zero_grad(set_to_none=True)
-        torch.stack(list(losses.values())).sum().backward()  # type: ignore[no-untyped-call]
         self.processes.sum_gradients(self.names)  # type: ignore[arg-type]
         return losses
+
+    def _backward(self, batch: Batch, cells: Cells, images: int, surface: bool) -> dict[str, Tensor]:
+        with self.autocast:
+            losses = self.stage.losses(self.objective, batch, cells, images, surface=surface)
+        torch.stack(list(losses.values())).sum().backward()  # type: ignore[no-untyped-call]
+        return {name: value.detach() for name, value in losses.items()}
 
     def _update(self, rate: float, loss: Tensor) -> Tensor:
         """One step of the optimiser; the norm that the gradients had."""

@@ -1,7 +1,8 @@
 """The losses of CA-SpaceNet, as pure functions of predictions and targets.
 
 Class and pose losses are sums over cells and images, as published: the batch size belongs to the learning
-rate. Everything is computed in float32, whatever the network's precision.
+rate. Everything is computed in float32, whatever the network's precision. No shape depends on a value, so that a
+GPU can work through them without the host.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import torch
 from torch import Tensor
 from torch.nn import functional
 
-from macram.train.targets import BACKGROUND, POSITIVE
+from macram.train.targets import BACKGROUND, MISSED, POSITIVE
 
 FOCAL_GAMMA = 2
 FOCAL_ALPHA = 0.25
@@ -92,12 +93,22 @@ def object_space_loss(
             "pixels must be [M, K, 2] and points [M, K, 3], "
             f"not {list(pixels.shape)} and {list(points.shape)}"
         )
-    pixels, points = pixels.float(), points.float()
-    homogeneous = functional.pad(pixels, (0, 1), value=1.0)
-    inverse = torch.linalg.inv(intrinsics.float())
-    rays = homogeneous @ inverse.mT
+    homogeneous = functional.pad(pixels.float(), (0, 1), value=1.0)
+    return ray_loss(homogeneous @ torch.linalg.inv(intrinsics.float()).mT, points, diameter, scale)
+
+
+def ray_loss(rays: Tensor, points: Tensor, diameter: Tensor | float, scale: float = POSE_SCALE) -> Tensor:
+    """`object_space_loss` of lines of sight.
+
+    Args:
+        rays: ``[M, K, 3]``, direction in which each keypoint is predicted, of any length.
+        points: see `object_space_loss`, as the others.
+        diameter: one, or ``[M]``.
+        scale: see `POSE_SCALE`.
+    """
+    rays, points = rays.float(), points.float()
     foot = rays * ((rays * points).sum(-1, keepdim=True) / (rays * rays).sum(-1, keepdim=True))
-    unit = scale / torch.as_tensor(diameter, dtype=torch.float32, device=pixels.device).reshape(-1, 1, 1)
+    unit = scale / (diameter.float().reshape(-1, 1, 1) if isinstance(diameter, Tensor) else diameter)
     cost = functional.smooth_l1_loss(foot * unit, points * unit, reduction="none", beta=1.0) / scale
     return cost.sum() / (points.shape[-2] * 3)
 
@@ -125,9 +136,9 @@ def surface_loss(outputs: Tensor, faces: Tensor, coordinates: Tensor) -> Tensor:
         coordinates: ``[M, 3]``, -1..1.
     """
     outputs = outputs.float()
-    hit = faces >= 0
-    face = functional.cross_entropy(outputs[hit, :6], faces[hit], reduction="sum")
-    return face + (outputs[hit, 6:] - coordinates[hit].float()).abs().sum()
+    face = functional.cross_entropy(outputs[:, :6], faces, ignore_index=MISSED, reduction="sum")
+    apart = (outputs[:, 6:] - coordinates.float()).abs()
+    return face + apart.masked_fill(faces[:, None] == MISSED, 0.0).sum()
 
 
 def _same_shape(name: str, tensor: Tensor, like: Tensor) -> None:

@@ -1,7 +1,8 @@
 """Batch normalisation and ReLU as one operation on the CPU, in fewer passes over memory than as two.
 
 Together PyTorch's kernels move 14 maps through memory in a training step: six forward, eight backward. The ones
-in ``norm_relu.cpp`` move eight, and keep one map for the backward pass instead of two.
+in ``norm_relu.cpp`` move eight, and keep one map for the backward pass instead of two. On a GPU
+`macram.train.norm_relu_gpu` does the same.
 """
 
 from __future__ import annotations

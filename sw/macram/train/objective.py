@@ -1,4 +1,8 @@
-"""Targets and losses of a whole batch, in tensors of constant shape: a GPU never waits for the host."""
+"""Targets and losses of a whole batch, in tensors of constant shape: a GPU never waits for the host.
+
+So nothing here asks for a value, and no number is put beside tensors in `torch.where`, which would copy it to the
+GPU and wait: `macram.train.replay` records all of it.
+"""
 
 from __future__ import annotations
 
@@ -8,8 +12,8 @@ import torch
 from torch import Tensor
 
 from macram.model import Prediction, TrainingOutput
-from macram.train.losses import LossWeights, focal_loss, object_space_loss, similarity_loss, surface_loss
-from macram.train.targets import BACKGROUND, IGNORED, POSITIVE, QUOTA, surface_targets
+from macram.train.losses import LossWeights, focal_loss, ray_loss, similarity_loss, surface_loss
+from macram.train.targets import BACKGROUND, IGNORED, MISSED, POSITIVE, QUOTA, entry_faces
 from macram.train.warp import Batch, Cells
 
 SLOTS = QUOTA + 2
@@ -20,14 +24,14 @@ PER_IMAGES = 8
 
 def assign(batch: Batch, cells: Cells) -> Tensor:
     """Labels int8 ``[B, cells]``, drawn as `macram.train.targets.draw_labels` does, with the batch's keys."""
-    ranked = torch.where(batch.inside, batch.keys, 2.0)
+    ranked = batch.keys.masked_fill(~batch.inside, 2.0)
     positive = []
     for level, key in enumerate(torch.split(ranked, cells.counts, dim=1)):
         rank = key.argsort(dim=1, stable=True).argsort(dim=1, stable=True)
         positive.append(rank < batch.quota[:, level, None])
     drawn = torch.cat(positive, dim=1) & batch.inside
-    labels = torch.where(batch.inside, IGNORED, BACKGROUND).masked_fill(drawn, POSITIVE)
-    return labels.to(torch.int8)
+    labels = torch.full_like(batch.inside, BACKGROUND, dtype=torch.int8)
+    return labels.masked_fill_(batch.inside, IGNORED).masked_fill_(drawn, POSITIVE)
 
 
 class Objective:
@@ -42,8 +46,6 @@ class Objective:
     def __init__(self, weights: LossWeights, diameter: float, keypoints: Tensor) -> None:
         self.weights, self.diameter = weights, diameter
         self.low, self.high = keypoints.float().amin(0), keypoints.float().amax(0)
-        # In normalised coordinates every camera is the identity; inverting each one would stop the GPU.
-        self.identity = torch.eye(3, device=keypoints.device)
 
     def factual(
         self, predictions: Sequence[Prediction], batch: Batch, cells: Cells, images: int, *, surface: bool
@@ -63,11 +65,9 @@ class Objective:
         pixels = self._pixels(predictions, slots, cells)
         pixels = torch.where(valid[:, :, None, None], pixels, batch.pixels[:, None])
         scale = PER_IMAGES / images
-        rays = normalised(pixels, batch.camera[:, None, None])
+        rays = sight(pixels, batch.camera[:, None, None])
         points = batch.points[:, None].expand(-1, SLOTS, -1, -1)
-        pose = object_space_loss(
-            rays.flatten(0, 1), points.flatten(0, 1), self.identity, self.diameter, self.weights.pose_scale
-        )
+        pose = ray_loss(rays.flatten(0, 1), points.flatten(0, 1), self.diameter, self.weights.pose_scale)
         losses = {
             "class": self.weights.classes * scale * focal_loss(logits, labels),
             "pose": self.weights.pose * scale * pose,
@@ -78,7 +78,7 @@ class Objective:
             maps = torch.cat([o.flatten(2) for o in outputs if o is not None], dim=2)
             chosen = maps.gather(2, slots[:, None].expand(-1, maps.shape[1], -1)).mT.flatten(0, 1)
             faces, places = self._surface_targets(batch, slots, cells)
-            faces = torch.where(valid.flatten(), faces, -1)
+            faces = faces.masked_fill(~valid.flatten(), MISSED)
             losses["surface"] = self.weights.surface * scale * surface_loss(chosen, faces, places)
         return losses
 
@@ -105,10 +105,10 @@ class Objective:
         return pixels
 
     def _surface_targets(self, batch: Batch, slots: Tensor, cells: Cells) -> tuple[Tensor, Tensor]:
-        rays = normalised(cells.centres[slots], batch.camera[:, None]).flatten(0, 1)
+        rays = sight(cells.centres[slots], batch.camera[:, None]).flatten(0, 1)
         rotation = batch.rotation[:, None].expand(-1, SLOTS, -1, -1).flatten(0, 1)
         translation = batch.translation[:, None].expand(-1, SLOTS, -1).flatten(0, 1)
-        return surface_targets(rays, rotation, translation, self.identity, self.low, self.high)
+        return entry_faces(rays, rotation, translation, self.low, self.high)
 
 
 def positive_slots(labels: Tensor) -> tuple[Tensor, Tensor]:
@@ -117,8 +117,11 @@ def positive_slots(labels: Tensor) -> tuple[Tensor, Tensor]:
     return order.indices[:, :SLOTS], order.values[:, :SLOTS] > 0
 
 
-def normalised(pixels: Tensor, camera: Tensor) -> Tensor:
-    """Pixels ``[..., 2]`` -> where their rays cross the plane at depth 1; cameras ``[..., 3, 3]`` broadcast."""
+def sight(pixels: Tensor, camera: Tensor) -> Tensor:
+    """Pixels ``[..., 2]`` -> rays ``[..., 3]`` to the plane at depth 1; cameras ``[..., 3, 3]`` broadcast.
+
+    By hand, as camera matrices are triangular: inverting each one would stop the GPU.
+    """
     y = (pixels[..., 1] - camera[..., 1, 2]) / camera[..., 1, 1]
     x = (pixels[..., 0] - camera[..., 0, 2] - camera[..., 0, 1] * y) / camera[..., 0, 0]
-    return torch.stack((x, y), dim=-1)
+    return torch.stack((x, y, torch.ones_like(x)), dim=-1)

@@ -231,7 +231,13 @@ def evaluate_frames(
         found += predictor.detections([(frame.read_image(), frame.camera) for frame in part])
         if told is not None:
             told(len(found), len(frames))
+    return evaluate_found(frames, found), found
+
+
+def evaluate_found(frames: Sequence[Frame], found: Sequence[Detection | None]) -> Evaluation:
+    """What was detected in ``frames``, all of one object, against the truth."""
+    model = frames[0].model
     truths = [GroundTruth(f.name, Pose(f.rotation, f.translation), f.camera) for f in frames]
     poses = {f.name: None if d is None else d.pose for f, d in zip(frames, found, strict=True)}
     vertices = sample_vertices(model.vertices, seed=VERTEX_SEED)
-    return evaluate(poses, truths, vertices=vertices, diameter=model.diameter), found
+    return evaluate(poses, truths, vertices=vertices, diameter=model.diameter)

@@ -39,6 +39,7 @@ class RunSettings:
         seed: decides weights, order of the frames and every random view.
         precision: ``bf16`` (mixed), ``fp32``, or ``auto``: bf16 where the processor has it, except in lsq.
         freeze_backbone: train pyramids and head only; always so in the counterfactual stage.
+        graphs: record each kind of step as a CUDA graph and replay it; read on one GPU.
     """
 
     stage: str
@@ -48,6 +49,7 @@ class RunSettings:
     seed: int = 2022
     precision: str = "auto"
     freeze_backbone: bool = False
+    graphs: bool = True
 
     def __post_init__(self) -> None:
         _choice("run.stage", self.stage, STAGES)

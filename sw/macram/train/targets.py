@@ -10,6 +10,8 @@ from macram.model.config import Levels
 from macram.pose.correspond import TOTAL, level_quota
 
 POSITIVE, BACKGROUND, IGNORED = 1, 0, -1
+MISSED = -1
+"""Face of a ray that meets no face."""
 QUOTA = TOTAL
 """Positive cells of one object, over all levels, before rounding: as many as are read at inference."""
 
@@ -104,6 +106,13 @@ def surface_targets(
     """
     homogeneous = torch.nn.functional.pad(pixels, (0, 1), value=1.0)
     rays = (torch.linalg.inv(intrinsics) @ homogeneous[..., None]).squeeze(-1)
+    return entry_faces(rays, rotation, translation, low, high)
+
+
+def entry_faces(
+    rays: Tensor, rotation: Tensor, translation: Tensor, low: Tensor, high: Tensor
+) -> tuple[Tensor, Tensor]:
+    """`surface_targets` of rays from the camera, ``[M, 3]`` of any length; the rest as there."""
     direction = (rotation.mT @ rays[..., None]).squeeze(-1)
     origin = -(rotation.mT @ translation[..., None]).squeeze(-1).expand_as(direction)
     # A ray along a face divides by zero; the infinities that result compare as they should.
@@ -112,6 +121,6 @@ def surface_targets(
     depth, axis = enter.max(-1)
     hit = (depth <= leave.amin(-1)) & (depth > 0)
     from_high = (direction.gather(-1, axis[:, None]) < 0).squeeze(-1)
-    faces = torch.where(hit, 2 * axis + from_high, -1)
+    faces = (2 * axis + from_high).masked_fill(~hit, MISSED)
     entry = (origin + depth[:, None] * direction - (high + low) / 2) / ((high - low) / 2)
-    return faces, torch.where(hit[:, None], entry.clamp(-1, 1), 0.0)
+    return faces, entry.clamp(-1, 1).masked_fill(~hit[:, None], 0.0)

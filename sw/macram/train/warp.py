@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import torch
@@ -97,6 +97,10 @@ class Warper:
         self.in_one_pass = device.type == "cpu" and not counterfactual and pictures_compiled()
         bank = torch.randn(NOISE_BANK, generator=torch.Generator().manual_seed(seed))
         self.bank = bank.to(device)
+        self.mean = 255 * torch.tensor(IMAGENET_MEAN, device=device).reshape(3, 1, 1)
+        self.std = 255 * torch.tensor(IMAGENET_STD, device=device).reshape(3, 1, 1)
+        height, width = frames.size
+        self.scale = torch.tensor([2 / width, 2 / height], device=device)
         self.resident = None
         self.resident_filled = None
         if device.type == "cuda":
@@ -119,9 +123,9 @@ class Warper:
             image,
             erased,
             inside,
-            torch.from_numpy(views.keys).to(self.device, non_blocking=True),
-            torch.from_numpy(views.quota).to(self.device, non_blocking=True),
-            *(torch.from_numpy(a.astype(np.float32)).to(self.device, non_blocking=True) for a in arrays),
+            self._sent(views.keys),
+            self._sent(views.quota),
+            *(self._sent(array.astype(np.float32)) for array in arrays),
         )
 
     def _drawn(self, views: Views, cells: Cells, size: tuple[int, int]) -> tuple[Tensor, None, Tensor]:
@@ -149,15 +153,19 @@ class Warper:
                 erased = self._toned(_sampled(colour, other), views) if apart else image
                 grown = functional.max_pool2d(mask, 2 * GROWTH + 1, 1, GROWTH)
                 erased = erased * (functional.grid_sample(grown, other, "nearest", align_corners=False) < 0.5)
-        erased = None if erased is None else _normalised(erased)
-        return _normalised(image), erased, self._inside(mask, views, cells)
+        erased = None if erased is None else self._normalised(erased)
+        return self._normalised(image), erased, self._inside(mask, views, cells)
+
+    def _sent(self, array: NDArray[Any]) -> Tensor:
+        """On the device. From ordinary memory the copy would wait for all that the GPU still has to do."""
+        tensor = torch.from_numpy(array)
+        if self.device.type != "cuda":
+            return tensor
+        return tensor.pin_memory().to(self.device, non_blocking=True)
 
     def _read(self, packed: NDArray[np.uint8], resident: Tensor | None, views: Views) -> Tensor:
         """Float ``[B, channels, H, W]``, 0..255."""
-        if resident is not None:
-            rows = resident[torch.from_numpy(views.frame).to(self.device)]
-        else:
-            rows = torch.from_numpy(packed[views.frame]).to(self.device, non_blocking=True)
+        rows = self._sent(packed[views.frame]) if resident is None else resident[self._sent(views.frame)]
         return rows.permute(0, 3, 1, 2).contiguous().float()  # bytes are moved faster than floats
 
     def _grid(self, matrix: NDArray[np.float64], size: tuple[int, int]) -> Tensor:
@@ -166,33 +174,33 @@ class Warper:
         frame = np.array([[2 / width, 0, -1], [0, 2 / height, -1], [0, 0, 1]])
         theta = (frame @ np.linalg.inv(matrix))[:, :2].astype(np.float32)
         # As functional.affine_grid, whose matrix product with three columns takes twice as long.
-        across, down, shift = torch.from_numpy(theta).to(self.device)[:, None, None].unbind(-1)
+        across, down, shift = self._sent(theta)[:, None, None].unbind(-1)
         rows, columns = (torch.arange(0.5, n, device=self.device) for n in size)
         return across * columns[:, None] + (down * rows[:, None, None] + shift)
 
     def _inside(self, mask: Tensor, views: Views, cells: Cells) -> Tensor:
-        height, width = self.frames.size
-        back = torch.from_numpy(np.linalg.inv(views.matrix).astype(np.float32)).to(self.device)
+        back = self._sent(np.linalg.inv(views.matrix).astype(np.float32))
         places = cells.sampled @ back[:, :2, :2].mT + back[:, None, :2, 2]
-        scale = torch.tensor([2 / width, 2 / height], device=self.device)
-        grid = (places * scale - 1)[:, None]
+        grid = (places * self.scale - 1)[:, None]
         return functional.grid_sample(mask, grid, "nearest", align_corners=False)[:, 0, 0] > PART
 
     def _toned(self, image: Tensor, views: Views) -> Tensor:
         """Brightness and noise; rounded and clipped to what 8 bits hold."""
         if (views.tone == (1.0, 1.0, 0.0)).all():
             return image.round_()
-        gamma, gain, level = (
-            torch.from_numpy(views.tone.astype(np.float32)).to(self.device)[:, :, None, None, None].unbind(1)
-        )
+        gamma, gain, level = self._sent(views.tone.astype(np.float32))[:, :, None, None, None].unbind(1)
         # Interpolation may leave -1e-6, whose power is no number.
         image = image.clamp_min_(0).div_(255).pow_(gamma).mul_(255 * gain)
         if (views.tone[:, 2] > 0).any():
             count = image[0].numel()
             places = self.bank.unfold(0, count, NOISE_STRIDE)
-            noise = places[torch.from_numpy(views.noise).to(self.device)].reshape(image.shape)
+            noise = places[self._sent(views.noise)].reshape(image.shape)
             image.addcmul_(noise, level.expand_as(image))
         return image.round_().clamp_(0, 255)
+
+    def _normalised(self, image: Tensor) -> Tensor:
+        """0..255 -> ImageNet's mean 0 and deviation 1, channels last."""
+        return (image - self.mean).div_(self.std).contiguous(memory_format=torch.channels_last)
 
 
 def _moved(array: NDArray[np.uint8], device: torch.device) -> Tensor:
@@ -207,10 +215,3 @@ def _sampled(image: Tensor, grid: Tensor) -> Tensor:
     """Bilinear, with the border's grey outside."""
     inner = functional.grid_sample(image - BORDER, grid, "bilinear", "zeros", align_corners=False)
     return inner.add_(BORDER)
-
-
-def _normalised(image: Tensor) -> Tensor:
-    """0..255 -> ImageNet's mean 0 and deviation 1, channels last."""
-    mean = torch.tensor(IMAGENET_MEAN, device=image.device).mul(255).reshape(3, 1, 1)
-    std = torch.tensor(IMAGENET_STD, device=image.device).mul(255).reshape(3, 1, 1)
-    return (image - mean).div_(std).contiguous(memory_format=torch.channels_last)
