@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import json
-import os
 
 import pytest
 import torch
@@ -13,7 +12,7 @@ from train_scene import write_scene
 
 from macram.cli.app import main
 from macram.train.few_channels import VECTOR, WideBatchNorm2d, widen_batch_norm
-from macram.train.memory import keep_memory
+from macram.train.narrow import NarrowConv2d, narrow_convolutions
 
 
 def pair(channels, dtype, **settings):
@@ -86,18 +85,39 @@ def test_frozen_statistics_do_not_move():
     assert all(torch.equal(value, before[name]) for name, value in wide.state_dict().items())
 
 
-def test_memory_is_asked_to_stay(monkeypatch):
-    monkeypatch.delenv("THP_MEM_ALLOC_ENABLE", raising=False)
-    keep_memory()
-    assert os.environ["THP_MEM_ALLOC_ENABLE"] == "1"
-    monkeypatch.setenv("THP_MEM_ALLOC_ENABLE", "0")  # the user's own word counts
-    keep_memory()
-    assert os.environ["THP_MEM_ALLOC_ENABLE"] == "0"
+@pytest.mark.parametrize(("kernel", "bias"), [((3, 3), True), ((1, 5), False)])
+@pytest.mark.parametrize("size", [(1, 1), (4, 7)])
+def test_one_output_channel_is_convolved_as_by_pytorch(kernel, bias, size):
+    draw = torch.Generator().manual_seed(6)
+    plain = nn.Conv2d(5, 1, kernel, padding=tuple(k // 2 for k in kernel), bias=bias, dtype=torch.float64)
+    narrow = copy.deepcopy(plain)
+    narrow_convolutions(narrow)
+    assert type(narrow) is NarrowConv2d
+    x = torch.randn(3, 5, *size, generator=draw, dtype=torch.float64)
+    results = []
+    for layer in (plain, narrow):
+        inner = x.clone().requires_grad_()
+        y = layer(inner)
+        y.square().sum().backward()
+        results.append([y, inner.grad, *(p.grad for p in layer.parameters())])
+    for mine, true in zip(*results, strict=True):
+        torch.testing.assert_close(mine, true, rtol=1e-12, atol=1e-12)
+    narrow.eval()
+    assert torch.equal(narrow(x), plain(x))
 
 
-def test_bench_times_a_training_run(tmp_path, capsys, monkeypatch):
+@pytest.mark.parametrize(
+    "other",
+    [{"out_channels": 2}, {"stride": 2}, {"dilation": 2}, {"padding": 0}, {"kernel_size": 1, "padding": 0}],
+)
+def test_other_convolutions_stay_as_they_are(other):
+    layer = nn.Conv2d(**{"in_channels": 4, "out_channels": 1, "kernel_size": 3, "padding": 1} | other)
+    narrow_convolutions(layer)
+    assert type(layer) is nn.Conv2d
+
+
+def test_bench_times_a_training_run(tmp_path, capsys):
     write_scene(tmp_path / "data")
-    monkeypatch.setenv("THP_MEM_ALLOC_ENABLE", "0")
     config = tmp_path / "run.toml"
     config.write_text(
         f"""
@@ -119,6 +139,7 @@ batch = 4
     assert main([*command, "--set", "schedule.batch=2", "--side", "32"]) == 0
     report = json.loads((tmp_path / "bench" / "train.json").read_text())
     assert report["batch"] == 2
+    assert report["compiled"] is True
     assert len(report["rates"]) == 5
     assert min(report["rates"]) <= report["images_per_second"] <= max(report["rates"])
     assert set(report["parts_ms"]) == {"views", "forward and backward", "optimiser"}

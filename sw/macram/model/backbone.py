@@ -128,11 +128,11 @@ class ResidualUnit(nn.Module):
 
     def forward(self, x: Tensor) -> Tensor:
         """``[N, C, H, W]`` -> the same shape."""
-        return x + cast(Tensor, self.expand(self.reduce(x)))
+        return cast(Tensor, self.expand(self.reduce(x), plus=x))
 
 
 class ConvBlock(nn.Module):
-    """Convolution without bias, batch normalisation, activation."""
+    """Convolution without bias, batch normalisation, activation; in residual units the sum too."""
 
     def __init__(self, c_in: int, c_out: int, *, kernel: int, stride: int, activation: str) -> None:
         super().__init__()
@@ -140,16 +140,21 @@ class ConvBlock(nn.Module):
         self.bn = nn.BatchNorm2d(c_out)
         self.act = nn.ReLU() if activation == "relu" else nn.LeakyReLU(LEAK)
 
-    def forward(self, x: Tensor) -> Tensor:
-        """``[N, c_in, H, W]`` -> ``[N, c_out, H/stride, W/stride]``."""
-        y = self.conv(x)
-        return rectified(self.bn, y) if isinstance(self.act, nn.ReLU) else cast(Tensor, self.act(self.bn(y)))
+    def forward(self, x: Tensor, plus: Tensor | None = None) -> Tensor:
+        """``[N, c_in, H, W]`` -> ``[N, c_out, H/stride, W/stride]``, to which ``plus`` is added."""
+        y: Tensor = self.conv(x)
+        if isinstance(self.act, nn.ReLU):
+            return rectified(self.bn, y, plus)
+        y = self.act(self.bn(y))
+        return y if plus is None else plus + y
 
 
-def rectified(norm: nn.Module, x: Tensor) -> Tensor:
-    """``relu(norm(x))``, by the layer's own method ``rectified`` where it has one."""
-    together = getattr(norm, "rectified", None)
-    return torch.relu(norm(x)) if together is None else cast(Tensor, together(x))
+def rectified(norm: nn.Module, x: Tensor, plus: Tensor | None = None) -> Tensor:
+    """``relu(norm(x))``, and ``plus`` added: by the layer's own method ``rectified`` where it has one."""
+    if together := getattr(norm, "rectified", None):
+        return cast(Tensor, together(x, plus))
+    y = torch.relu(norm(x))
+    return y if plus is None else plus + y
 
 
 def bare_conv(c_in: int, c_out: int, *, kernel: int, stride: int = 1, bias: bool) -> nn.Conv2d:

@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-SOURCE = Path(__file__).with_name("norm_relu.cpp")
+SOURCES = Path(__file__).parent
 COMMAND = (
     *("g++", "-std=c++17", "-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math"),
     *("-fopenmp", "-fPIC", "-shared"),
@@ -30,31 +30,32 @@ def cache_folder() -> Path:
 
 
 @functools.cache
-def library() -> ctypes.CDLL | None:
-    """The compiled code; None where there is no compiler that can make it or no folder to keep it."""
+def library(name: str) -> ctypes.CDLL | None:
+    """``name.cpp`` compiled; None where there is no compiler that can do it, or no folder to keep the result."""
     try:
-        path = cache_folder() / f"norm_relu-{_key()}.so"
+        source = SOURCES / f"{name}.cpp"
+        path = cache_folder() / f"{name}-{_key(source)}.so"
         if not path.is_file():
-            _compile(path)
+            _compile(source, path)
         return ctypes.CDLL(str(path))
     except (OSError, subprocess.SubprocessError):
         return None
 
 
-def _compile(path: Path) -> None:
+def _compile(source: Path, path: Path) -> None:
     """Writes ``path`` in one step: another process may want it at the same time."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="compile-", dir=path.parent) as folder:
         made = Path(folder) / path.name
         subprocess.run(
-            [*COMMAND, str(SOURCE), "-o", str(made)], check=True, capture_output=True, timeout=PATIENCE
+            [*COMMAND, str(source), "-o", str(made)], check=True, capture_output=True, timeout=PATIENCE
         )
         made.replace(path)
 
 
-def _key() -> str:
+def _key(source: Path) -> str:
     """Changes with the source, the command and the processor, whose own instructions are used."""
-    digest = hashlib.sha256(SOURCE.read_bytes())
+    digest = hashlib.sha256(source.read_bytes())
     digest.update(repr((COMMAND, platform.machine())).encode())
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()

@@ -28,6 +28,7 @@ from macram.train.feed import Feed
 from macram.train.fused import fuse_batch_norm
 from macram.train.logs import Bar, Log
 from macram.train.mixed import autocast_helps, exact_layers
+from macram.train.narrow import narrow_convolutions
 from macram.train.objective import Objective
 from macram.train.optimiser import Follower, make_optimiser
 from macram.train.pack import pack_frames
@@ -96,6 +97,8 @@ class Run:
             share_batch_norm(self.stage.module)
         else:
             fuse_batch_norm(self.stage.module, device)
+        if device.type == "cpu":
+            narrow_convolutions(self.stage.module)
         named = [(n, p) for n, p in self.stage.module.named_parameters() if p.requires_grad]
         self.names: dict[Tensor, str] = {p: n for n, p in named}
         self.optimiser = make_optimiser(config.optimiser, [p for _, p in named])

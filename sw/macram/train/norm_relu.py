@@ -8,6 +8,7 @@ in ``norm_relu.cpp`` move eight, and keep one map for the backward pass instead 
 from __future__ import annotations
 
 import ctypes
+import functools
 from typing import Any, cast
 
 import torch
@@ -22,66 +23,79 @@ KERNELS = {torch.bfloat16: "bfloat16", torch.float32: "float32"}
 
 
 class _NormRelu(torch.autograd.Function):
-    """Training-mode batch normalisation and ReLU of a map."""
+    """Training-mode batch normalisation and ReLU of a map, and the sum with another."""
 
     @staticmethod
     def forward(
-        ctx: Any, x: Tensor, weight: Tensor, bias: Tensor, eps: float
+        ctx: Any, x: Tensor, plus: Tensor | None, weight: Tensor, bias: Tensor, eps: float
     ) -> tuple[Tensor, Tensor, Tensor]:
         x = x.contiguous(memory_format=torch.channels_last)
         y, mean, variance = torch.empty_like(x), torch.empty_like(weight), torch.empty_like(weight)
-        _call("forward", x, (x, y, weight, bias), eps, (mean, variance))
+        if plus is not None:
+            plus = plus.contiguous(memory_format=torch.channels_last)
+        _call("forward", x, (x, plus, y, weight, bias), eps, (mean, variance))
         ctx.save_for_backward(x, weight, bias, mean, variance)
         ctx.eps = eps
         ctx.mark_non_differentiable(mean, variance)
         return y, mean, variance
 
     @staticmethod
-    @once_differentiable  # type: ignore[untyped-decorator]
+    @once_differentiable
     def backward(ctx: Any, *grads: Tensor) -> tuple[Tensor | None, ...]:
         x, weight, bias, mean, variance = ctx.saved_tensors
         grad = grads[0].contiguous(memory_format=torch.channels_last)
         to_x, to_weight, to_bias = torch.empty_like(x), torch.empty_like(weight), torch.empty_like(bias)
         _call("backward", x, (grad, x, to_x, weight, bias, mean, variance), ctx.eps, (to_weight, to_bias))
-        return to_x, to_weight, to_bias, None
+        return to_x, grads[0] if ctx.needs_input_grad[1] else None, to_weight, to_bias, None
 
 
-def _call(name: str, x: Tensor, before: tuple[Tensor, ...], eps: float, after: tuple[Tensor, ...]) -> None:
-    """Calls a kernel for maps like ``x``: rows, channels, threads, pointers, epsilon, pointers."""
-    kernel = getattr(library(), f"{name}_{KERNELS[x.dtype]}")
-    channels = x.shape[1]
-    kernel(
-        ctypes.c_int64(x.numel() // channels),
-        ctypes.c_int64(channels),
-        ctypes.c_int(torch.get_num_threads()),
-        *(ctypes.c_void_p(tensor.data_ptr()) for tensor in before),
-        ctypes.c_double(eps),
-        *(ctypes.c_void_p(tensor.data_ptr()) for tensor in after),
+@functools.cache
+def _kernel(name: str, dtype: torch.dtype) -> Any:
+    """A function of ``norm_relu.cpp``: rows, channels, threads, pointers, epsilon, pointers."""
+    kernel = getattr(library("norm_relu"), f"{name}_{KERNELS[dtype]}")
+    before, after = {"forward": (5, 2), "backward": (7, 2)}[name]
+    kernel.argtypes = (
+        *(ctypes.c_int64, ctypes.c_int64, ctypes.c_int),
+        *(before * [ctypes.c_void_p]),
+        ctypes.c_double,
+        *(after * [ctypes.c_void_p]),
     )
+    return kernel
+
+
+def _call(
+    name: str, x: Tensor, before: tuple[Tensor | None, ...], eps: float, after: tuple[Tensor, ...]
+) -> None:
+    """Calls a kernel for maps like ``x``."""
+    channels = x.shape[1]
+    first = [None if tensor is None else tensor.data_ptr() for tensor in before]
+    last = [tensor.data_ptr() for tensor in after]
+    rows = x.numel() // channels
+    _kernel(name, x.dtype)(rows, channels, torch.get_num_threads(), *first, eps, *last)
 
 
 class RectifyingBatchNorm2d(WideBatchNorm2d):
-    """Batch normalisation that can apply the ReLU behind it too.
+    """Batch normalisation that can apply the ReLU behind it too."""
 
-    Attributes:
-        together: both, ``(x, weight, bias, eps)`` -> ``(y, mean, variance)``.
-    """
-
-    together = staticmethod(_NormRelu.apply)
-
-    def rectified(self, input: Tensor) -> Tensor:
-        """``relu(self(input))``, ``[N, C, H, W]``: in one go while training, in bfloat16 or float32."""
+    def rectified(self, input: Tensor, plus: Tensor | None = None) -> Tensor:
+        """``relu(self(input)) + plus``, ``[N, C, H, W]``: in one go while training in bfloat16 or float32."""
         count = input.numel() // input.shape[1]
-        if not self.training or input.dtype not in KERNELS or self.weight.dtype != torch.float32 or count < 2:
-            return torch.relu(self(input))
-        y, mean, variance = self.together(input, self.weight, self.bias, self.eps)
+        possible = (
+            self.training and count > 1 and input.dtype in KERNELS and self.weight.dtype == torch.float32
+        )
+        if not possible or (plus is not None and (plus.shape, plus.dtype) != (input.shape, input.dtype)):
+            y = torch.relu(self(input))
+            return y if plus is None else plus + y
+        result, mean, variance = _NormRelu.apply(  # type: ignore[no-untyped-call]
+            input, plus, self.weight, self.bias, self.eps
+        )
         follow_statistics(self, mean, variance, count)
-        return cast(Tensor, y)
+        return cast(Tensor, result)
 
 
 def fuse_batch_norm(module: nn.Module) -> None:
     """Lets every batch normalisation in ``module`` take the ReLU behind it along, where that can be compiled."""
-    if library() is None:
+    if library("norm_relu") is None:
         return
     for layer in module.modules():
         if type(layer) in (nn.BatchNorm2d, WideBatchNorm2d):

@@ -95,13 +95,14 @@ class _NormRelu(torch.autograd.Function):
 class RectifyingBatchNorm2d(nn.BatchNorm2d):
     """Batch normalisation that can apply the ReLU behind it too."""
 
-    def rectified(self, input: Tensor) -> Tensor:
-        """``relu(self(input))``, ``[N, C, H, W]``: in one go while training."""
+    def rectified(self, input: Tensor, plus: Tensor | None = None) -> Tensor:
+        """``relu(self(input)) + plus``, ``[N, C, H, W]``: normalised and rectified in one go while training."""
         if not self.training:
-            return torch.relu(self(input))
+            y = torch.relu(self(input))
+            return y if plus is None else plus + y
         y, mean, variance = _NormRelu.apply(input, self.weight, self.bias, self.eps)  # type: ignore[no-untyped-call]
         follow_statistics(self, mean, variance, input.numel() // input.shape[1])
-        return cast(Tensor, y)
+        return cast(Tensor, y) if plus is None else plus + y
 
 
 def fuse_batch_norm(module: nn.Module) -> None:

@@ -13,6 +13,7 @@ from typing import Any, cast
 import torch
 from torch import Tensor
 
+from macram.train.compiled import library
 from macram.train.config import TrainConfig
 from macram.train.distributed import Processes, processor_name
 from macram.train.loop import Run
@@ -78,7 +79,8 @@ def measure_rate(config: TrainConfig, processes: Processes, steps: int) -> dict[
     Returns:
         ``images_per_second`` (median over steps) and of every step ``rates``; ``parts_ms``, medians of
         the views (reading, warping, toning), of forward and backward, and of the optimiser with the
-        moving average; ``loading_share`` of the step's time, ``batch``, ``device``, ``threads``, ``precision``.
+        moving average; ``loading_share`` of the step's time, ``batch``, ``device``, ``threads``, ``precision``, and
+        ``compiled``: whether this package's own C++ took part.
     """
     with tempfile.TemporaryDirectory(prefix="macram-rate-") as folder:
         run = TimedRun(replace(config, run=replace(config.run, out=str(Path(folder) / "run"))), processes)
@@ -99,4 +101,5 @@ def measure_rate(config: TrainConfig, processes: Processes, steps: int) -> dict[
         "device": processor_name(processes.device),
         "threads": torch.get_num_threads(),
         "precision": "bf16" if run.mixed else "fp32",
+        "compiled": processes.device.type == "cpu" and library("norm_relu") is not None,
     }

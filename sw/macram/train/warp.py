@@ -16,6 +16,7 @@ from macram.model import Levels
 from macram.model.anchors import cell_centres, map_sizes
 from macram.pose.warp import BORDER
 from macram.train.pack import PART, PackedFrames
+from macram.train.pictures import draw_pictures, pictures_compiled, seen_mask
 from macram.train.views import Views
 
 NOISE_BANK = 1 << 22
@@ -93,6 +94,7 @@ class Warper:
         self, frames: PackedFrames, device: torch.device, seed: int, *, counterfactual: bool
     ) -> None:
         self.frames, self.device, self.counterfactual = frames, device, counterfactual
+        self.in_one_pass = device.type == "cpu" and not counterfactual and pictures_compiled()
         bank = torch.randn(NOISE_BANK, generator=torch.Generator().manual_seed(seed))
         self.bank = bank.to(device)
         self.mean = 255 * torch.tensor(IMAGENET_MEAN, device=device).reshape(3, 1, 1)
@@ -115,6 +117,27 @@ class Warper:
 
     def batch(self, views: Views, cells: Cells, size: tuple[int, int]) -> Batch:
         """Pictures and targets of ``views`` of ``size`` (height, width)."""
+        image, erased, inside = (self._drawn if self.in_one_pass else self._warped)(views, cells, size)
+        arrays = (views.camera, views.rotation, views.translation, views.points, views.pixels)
+        return Batch(
+            image,
+            erased,
+            inside,
+            self._sent(views.keys),
+            self._sent(views.quota),
+            *(self._sent(array.astype(np.float32)) for array in arrays),
+        )
+
+    def _drawn(self, views: Views, cells: Cells, size: tuple[int, int]) -> tuple[Tensor, None, Tensor]:
+        """As `_warped`, up to single grey levels of single pixels, in a third of the time."""
+        image = torch.empty((len(views.frame), 3, *size), memory_format=torch.channels_last)
+        draw_pictures(self.frames.pixels, views, self.bank, NOISE_STRIDE, image)
+        return image, None, seen_mask(self.frames.pixels, views, cells.sampled) > PART
+
+    def _warped(
+        self, views: Views, cells: Cells, size: tuple[int, int]
+    ) -> tuple[Tensor, Tensor | None, Tensor]:
+        """Pictures, erased pictures where wanted, and which cells may be positive."""
         source = self._read(self.frames.pixels, self.resident, views)
         colour, mask = source[:, :3], source[:, 3:]
         grid = self._grid(views.matrix, size)
@@ -130,15 +153,8 @@ class Warper:
                 erased = self._toned(_sampled(colour, other), views) if apart else image
                 grown = functional.max_pool2d(mask, 2 * GROWTH + 1, 1, GROWTH)
                 erased = erased * (functional.grid_sample(grown, other, "nearest", align_corners=False) < 0.5)
-        arrays = (views.camera, views.rotation, views.translation, views.points, views.pixels)
-        return Batch(
-            self._normalised(image),
-            None if erased is None else self._normalised(erased),
-            self._inside(mask, views, cells),
-            self._sent(views.keys),
-            self._sent(views.quota),
-            *(self._sent(array.astype(np.float32)) for array in arrays),
-        )
+        erased = None if erased is None else self._normalised(erased)
+        return self._normalised(image), erased, self._inside(mask, views, cells)
 
     def _sent(self, array: NDArray[Any]) -> Tensor:
         """On the device. From ordinary memory the copy would wait for all that the GPU still has to do."""
