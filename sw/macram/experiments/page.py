@@ -54,18 +54,19 @@ def page(plan: Plan, results: Path) -> str:
         "one.\n\nAll scores are "
         "on rendered data and not comparable with tables on SwissCube or SPEED.",
         beside.introduction(plan),
-        *sections.data(results),
+        *sections.data(plan, results),
         *sections.shipped(results),
         *sections.questions(done),
         *beside.questions(done),
         *sections.seeds(plan, done),
         *beside.seeds(plan, done),
+        *sections.more_data(done),
         *sections.quantised(done, cited),
         *beside.quantised(done),
         *sections.cited(cited),
         *sections.curves(done),
         *sections.limits(done),
-        *tried(results),
+        *tried(results, {str(f.table["model_sha256"]) for f in done}),
         *sections.missing(plan, results),
     ]
     return "\n\n".join(parts) + "\n"
