@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
-from macram.experiments import beside, sections
+from macram.experiments import beside, materials, sections
 from macram.experiments.curves import curves_svg
 from macram.experiments.finished import finished
 from macram.experiments.plan import Plan
@@ -54,8 +54,8 @@ def page(plan: Plan, results: Path) -> str:
         "one.\n\nAll scores are "
         "on rendered data and not comparable with tables on SwissCube or SPEED.",
         beside.introduction(plan),
-        *sections.data(plan, results),
-        *sections.shipped(results),
+        *materials.data(plan, results),
+        *materials.shipped(results),
         *sections.questions(done),
         *beside.questions(done),
         *sections.seeds(plan, done),

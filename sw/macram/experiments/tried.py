@@ -27,7 +27,10 @@ def tried(results: Path, shas: Collection[str]) -> list[str]:
     for record in records:
         rows = _rows(record, "validation")
         if rows:
-            parts += [_introduction(record, rows, _network(record, shas)), table(HEAD, [_line(row) for row in rows])]
+            parts += [
+                _introduction(record, rows, _network(record, shas)),
+                table(HEAD, [_line(row) for row in rows]),
+            ]
     for record in records:
         rows = _rows(record, "testing")
         if rows:
