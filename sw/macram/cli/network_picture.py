@@ -24,7 +24,7 @@ def network_picture(arguments: argparse.Namespace, array: ArrayConfig) -> int:
     from macram_sim.array import build_array  # noqa: PLC0415
 
     for name in ("size", "side", "only", "limit", "seed"):
-        if getattr(arguments, name):
+        if getattr(arguments, name) not in (None, []):
             raise ValueError(f"--{name} has no part in a run with --weights; leave it away")
     image = arguments.image or demo_image()
     if image is None:
