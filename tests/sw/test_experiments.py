@@ -249,6 +249,16 @@ def test_paper_front_configurations_load():
         load_config(ROOT / f"configs/train-paper-front-{name}.toml")
 
 
+@pytest.mark.parametrize(
+    "action", [["run", "first"], ["record", "first", "RUN", "--device", "a"], ["inference", "M"]]
+)
+def test_a_limit_below_zero_is_refused_before_any_work(plan, action, tmp_path, capsys):
+    command = ["experiments", *action, "--limit", "-1", "--plan", str(tmp_path / "plan.toml")]
+    assert main([*command, "--results", str(tmp_path / "results")]) == 2
+    assert "--limit must be 0 (all frames) or more, not -1" in capsys.readouterr().err
+    assert not (tmp_path / "results").exists()
+
+
 def test_list_tells_states(plan, tmp_path, capsys):
     arguments = [
         "--plan",
