@@ -60,9 +60,11 @@ def test_every_setting_is_scored_once(scene, model, tmp_path, monkeypatch):
     # The remembered network's time counts again.
     assert all(row["seconds"] > 0 for row in record["rows"])
 
-    text = "\n".join(tried(out.parent))
+    text = "\n".join(tried(out.parent, {record["model_sha256"]}))
     assert "| edges | `--edges BOX` |" in text
-    assert "on the test split, 4 frames" in text
+    assert "on the test split, 4 frames, `net`, float32" in text
+    earlier = "\n".join(tried(out.parent, {"another"}))
+    assert f"`net` of an earlier training (SHA-256 {record['model_sha256'][:12]}, " in earlier
 
     scored = []
     real = inference.evaluate_frames
@@ -96,7 +98,7 @@ def test_the_box_of_edges_is_measured_by_true_poses(larger, scene):
 
 
 def test_no_record_no_section(tmp_path):
-    assert tried(tmp_path) == []
+    assert tried(tmp_path, ()) == []
 
 
 def test_names_of_settings_differ():

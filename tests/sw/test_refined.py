@@ -9,8 +9,9 @@ import pytest
 import torch
 from train_scene import CORNERS, DIAMETER, write_scene
 
+from macram.data.geometry import BUCKETS
 from macram.data.open import open_dataset
-from macram.experiments import beside
+from macram.experiments import beside, sections
 from macram.experiments.finished import finished
 from macram.experiments.plan import Plan, Refined, Row, Source
 from macram.experiments.run import read_evaluation
@@ -130,6 +131,33 @@ def test_questions_stand_beside_the_control(tmp_path):
     assert "| Quarter-Control | 25.00 | 50.00 | 25.00 | 75.00 | 75.00 | 100.00 |  |" in text
     assert "| Ca | 25.00 | 0.00 | 25.00 | 50.00 | 75.00 | 100.00 | -50.0 (" in text
     assert "| Bare | 25.00 |  | 25.00 |  | 75.00 |  |  |" in text
+
+
+def test_more_data_stands_beside_the_same_training_on_less(tmp_path):
+    plan = rows(
+        tmp_path, {"few": ("data", "", (1,)), "many": ("questions", "", (1,)), "later": ("seeds", "", (2,))}
+    )
+    for name, add, images in (("few", [0.05, 0.3, 0.3, 0.6], 50), ("many", [0.05, 0.05, 0.3, 0.6], 100)):
+        folder = tmp_path / f"{name}.s1"
+        write(
+            folder,
+            "result.json",
+            "frames.csv",
+            add,
+            images=images,
+            minutes=1,
+            dataset=f"cubesat1u-{name}, poses",
+        )
+        table = json.loads((folder / "result.json").read_text())
+        table["ranges"] |= dict.fromkeys(BUCKETS, table["ranges"]["all"])
+        (folder / "result.json").write_text(json.dumps({**table, "frames": 4}))
+    done = finished(plan, tmp_path)
+    text = "\n".join(sections.more_data(done))
+    assert "| Few | few | 50 | 1 | 25.00 |" in text
+    assert "| Many | many | 100 | 1 | 50.00 |" in text
+    assert "- Few: +25.0 points (" in text
+    assert "2.00 times the images." in text
+    assert sections.more_data([f for f in done if f.job.row.group != "data"]) == []
 
 
 def test_a_quantised_row_loses_against_the_float_row_of_its_seed(tmp_path):

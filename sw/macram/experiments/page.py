@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
-from macram.experiments import beside, sections
+from macram.experiments import beside, materials, sections
 from macram.experiments.curves import curves_svg
 from macram.experiments.finished import finished
 from macram.experiments.plan import Plan
@@ -54,18 +54,19 @@ def page(plan: Plan, results: Path) -> str:
         "one.\n\nAll scores are "
         "on rendered data and not comparable with tables on SwissCube or SPEED.",
         beside.introduction(plan),
-        *sections.data(results),
-        *sections.shipped(results),
+        *materials.data(plan, results),
+        *materials.shipped(results),
         *sections.questions(done),
         *beside.questions(done),
         *sections.seeds(plan, done),
         *beside.seeds(plan, done),
+        *sections.more_data(done),
         *sections.quantised(done, cited),
         *beside.quantised(done),
         *sections.cited(cited),
         *sections.curves(done),
         *sections.limits(done),
-        *tried(results),
+        *tried(results, {str(f.table["model_sha256"]) for f in done}),
         *sections.missing(plan, results),
     ]
     return "\n\n".join(parts) + "\n"

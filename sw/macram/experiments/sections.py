@@ -6,14 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from macram.data.files import read_json
 from macram.data.geometry import BUCKETS
 from macram.experiments import statistics
 from macram.experiments.finished import Finished
 from macram.experiments.plan import RESULT, Plan
-from macram.weights import read_index
 
-MEBI = 2**20
 LIMITING = "quarter-control.s2022"
 """The record that 'what limits accuracy' looks into: the best float network."""
 CONTROL = "quarter-control"
@@ -28,57 +25,15 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
-def data(results: Path) -> list[str]:
-    """What the networks were trained and judged on."""
-    about = read_json(results / "dataset.json")
-    rows = [
-        [
-            name,
-            f"{split['frames']:,}",
-            str(split["sequences"]),
-            " to ".join(f"{d:.2f}" for d in split["depth_diameters"]),
-            *(str(split["buckets"][bucket]) for bucket in BUCKETS),
-            " / ".join(str(split["mask_pixels"][p]) for p in ("p5", "p50", "p95")),
-        ]
-        for name, split in about["splits"].items()
-    ]
-    return [
-        "## Data\n\n`cubesat1u-v1`: "
-        "`macram data render -o build/data/mini --recipe configs/cubesat1u-v1.toml`; statistics by "
-        "`macram data info build/data/mini --json`. Depth in diameters of the target "
-        f"({about['model']['diameter_mm']:g} mm).",
-        table(["split", "frames", "sequences", "depth", *BUCKETS, "mask pixels at 5, 50, 95 %"], rows),
-    ]
-
-
-def shipped(results: Path) -> list[str]:
-    """The networks that come with macram."""
-    networks = read_index(results.parent / "weights")["networks"]
-    if not networks:
-        return []
-    rows = []
-    for name, about in networks.items():
-        sizes, scores = about["sizes"], about["scores"]
-        rows.append([
-            f"`{name}`", about["stored"], f"{sizes['parameters']:,}",
-            *(f"{sizes[key] / MEBI:.3f}" for key in ("ideal", "codes", "floats", "header", "file")),
-            *(f"{scores['add'][limit]:.2f}" for limit in ("0.1", "0.2", "0.5")), f"{scores['frames']:,}",
-        ])  # fmt: skip
-    return [
-        "## Shipped networks\n\n`macram weights list`. Sizes in MB of 2^20 bytes: *ideal* is parameters "
-        "times bits, as the paper's "
-        "table V counts; the file holds packed codes, what stays floating point, and a header. Scores are "
-        "of the shipped "
-        "file itself.",
-        table(["name", "form", "parameters", "ideal", "codes", "floats", "header", "file",
-                "ADD-0.1d %", "0.2d %", "0.5d %", "frames"], rows),
-    ]  # fmt: skip
+def _learned_from(entry: Finished) -> str:
+    return str(entry.table["dataset"]).split(",")[0].removeprefix("cubesat1u-")
 
 
 def _scores(entry: Finished) -> list[str]:
     low, high = statistics.share_interval(entry.frames)
     every = entry.table["ranges"]["all"]["add"]
     return [
+        _learned_from(entry),
         f"{entry.table['images']:,}",
         f"{entry.table['minutes']:g}",
         *(f"{entry.table['ranges'][name]['add']['0.1']:.2f}" for name in BUCKETS),
@@ -90,6 +45,7 @@ def _scores(entry: Finished) -> list[str]:
 
 
 SCORE_COLUMNS = [
+    "data",
     "images",
     "minutes",
     "near %",
@@ -102,8 +58,8 @@ SCORE_COLUMNS = [
 ]
 SCORE_NOTE = (
     'ADD-0.1d (published as "ADI-0.1d") by depth range. In brackets the 95 % interval over test scenes, '
-    "sequences drawn again; it says nothing about other trainings. *Images* and *minutes* are those of "
-    "the row's own stage."
+    "sequences drawn again; it says nothing about other trainings. *Data* is what the row's own stage learned "
+    "from, *images* and *minutes* are what it took."
 )
 
 
@@ -122,19 +78,21 @@ def questions(done: Sequence[Finished]) -> list[str]:
     control = by_name.get(CONTROL)
     if control is not None:
         lines = [_difference(f, control) for f in rows if f is not control]
-        parts.append("Against the control, on the same frames:\n\n" + "\n".join(lines))
+        parts.append(
+            "Against the control, on the same frames, one training each, so that a difference between two seeds is "
+            "not ruled out:\n\n" + "\n".join(lines)
+        )
     return parts
 
 
 def _difference(one: Finished, other: Finished) -> str:
     points, low, high = statistics.difference(one.frames, other.frames)
     verdict = "no difference found" if low <= 0 <= high else "better" if points > 0 else "worse"
-    seen = one.table["images"] / other.table["images"]
+    images, others = one.table["images"], other.table["images"]
+    seen = "as many images as" if images == others else f"{images / others:.2f} times the images of"
     return (
         f"- {one.job.row.title}: {points:+.1f} points ({low:+.1f} to {high:+.1f}), {verdict} on these "
-        f"frames; its stage saw "
-        f"{seen:.2f} times the images of the control's. One training each: a difference between two seeds "
-        f"is not ruled out."
+        f"frames; its stage saw {seen} the control's."
     )
 
 
@@ -158,6 +116,33 @@ def seeds(plan: Plan, done: Sequence[Finished]) -> list[str]:
     return [
         f"{head}ADD-0.1d on all distances.",
         table(["row", "seeds", "mean %", "standard deviation"], rows),
+    ]
+
+
+def more_data(done: Sequence[Finished]) -> list[str]:
+    """Rows of the group data beside the same training on the plan's own data."""
+    pairs = [
+        (f, g)
+        for f in done
+        if f.job.row.group == "data"
+        for g in done
+        if g.job.seed == f.job.seed and g.job.row.config == f.job.row.config and g.job.row.group != "data"
+    ]
+    if not pairs:
+        return []
+    lines = [[entry.job.row.title, *_scores(entry)] for pair in pairs for entry in pair]
+    differences = []
+    for few, many in pairs:
+        points, low, high = statistics.difference(many.frames, few.frames)
+        times = many.table["images"] / few.table["images"]
+        differences.append(
+            f"- {few.job.row.title}: {points:+.1f} points ({low:+.1f} to {high:+.1f}) of ADD-0.1d for more frames and "
+            f"{times:.2f} times the images."
+        )
+    return [
+        "## More training frames",
+        table(["row", *SCORE_COLUMNS], lines),
+        "One training each:\n\n" + "\n".join(differences),
     ]
 
 

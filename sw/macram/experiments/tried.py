@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,19 +15,27 @@ LIMITS = ("0.1", "0.2", "0.5")
 HEAD = ("setting", "options", *BUCKETS, "ADD-0.1d %", "0.2d %", "0.5d %", "rotation, deg", "CPU s")
 
 
-def tried(results: Path) -> list[str]:
-    """Every setting on the validation split, the chosen ones on the test split; empty without a record."""
+def tried(results: Path, shas: Collection[str]) -> list[str]:
+    """Every setting on the validation split, the chosen ones on the test split; empty without a record.
+
+    Args:
+        results: folder of records.
+        shas: SHA-256 of the networks in the tables of rows; others are called earlier ones.
+    """
     records = [read_json(path) for path in sorted(results.glob(TRIES))]
     parts = []
     for record in records:
         rows = _rows(record, "validation")
         if rows:
-            parts += [_introduction(record, rows), table(HEAD, [_line(row) for row in rows])]
+            parts += [
+                _introduction(record, rows, _network(record, shas)),
+                table(HEAD, [_line(row) for row in rows]),
+            ]
     for record in records:
         rows = _rows(record, "testing")
         if rows:
             parts += [
-                f"The chosen settings on the test split, {rows[0]['frames']:,} frames, `{record['network']}`, "
+                f"The chosen settings on the test split, {rows[0]['frames']:,} frames, {_network(record, shas)}, "
                 f"{record['form']}:",
                 table(HEAD, [_line(row) for row in rows]),
             ]
@@ -38,9 +46,15 @@ def _rows(record: dict[str, Any], split: str) -> list[dict[str, Any]]:
     return [row for row in record["rows"] if row["split"] == split]
 
 
-def _introduction(record: dict[str, Any], rows: Sequence[dict[str, Any]]) -> str:
+def _network(record: dict[str, Any], shas: Collection[str]) -> str:
+    sha = record["model_sha256"]
+    earlier = "" if sha in shas else f" of an earlier training (SHA-256 {sha[:12]}, not in the tables above)"
+    return f"`{record['network']}`{earlier}"
+
+
+def _introduction(record: dict[str, Any], rows: Sequence[dict[str, Any]], network: str) -> str:
     return (
-        f"`macram experiments inference MODEL` on `{record['network']}`, trained once, {rows[0]['frames']:,} frames of "
+        f"`macram experiments inference MODEL` on {network}, trained once, {rows[0]['frames']:,} frames of "
         "the validation split. *CPU s* is the time of one core for a picture, network and "
         "reading included; rotation is the median. *Looks* are turned crops around the first pose, in which the target "
         "has 56 of 128 pixels; *edges* align the pose with the picture's steps of brightness along the edges of a box "

@@ -5,8 +5,11 @@ Quantising a map in PyTorch's own operations reads and writes it a dozen times, 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from functools import cache
+from importlib.util import find_spec
+from shutil import which
 from typing import Any
 
 import torch
@@ -15,10 +18,17 @@ from torch import Tensor
 Function = Callable[..., tuple[Tensor, ...]]
 
 
+@cache
+def compiles_kernels() -> bool:
+    """Whether kernels for a GPU can be made here: Triton, and the C compiler that it calls."""
+    compilers = (os.environ.get("CC"), "gcc", "clang")
+    return find_spec("triton") is not None and any(which(name) for name in compilers if name)
+
+
 def has_one_pass(map_: Tensor) -> bool:
     """Whether `in_one_pass` serves maps like this one."""
     dense = map_.is_contiguous() or map_.is_contiguous(memory_format=torch.channels_last)
-    return map_.is_cuda and map_.dim() == 4 and dense
+    return map_.is_cuda and map_.dim() == 4 and dense and compiles_kernels()
 
 
 def in_one_pass(function: Function, maps: tuple[Tensor, ...], *others: Any) -> tuple[Tensor, ...]:

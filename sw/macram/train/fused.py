@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import importlib.util
-
 import torch
 from torch import nn
 
+from macram.quant.one_pass import compiles_kernels
 from macram.train import few_channels, norm_relu
 
 
@@ -15,7 +14,8 @@ def fuse_batch_norm(module: nn.Module, device: torch.device) -> None:
     if device.type == "cpu":
         few_channels.widen_batch_norm(module)
         norm_relu.fuse_batch_norm(module)
-    elif importlib.util.find_spec("triton") is not None:
-        from macram.train import norm_relu_gpu  # noqa: PLC0415  nothing but PyTorch for CUDA brings Triton
+    elif compiles_kernels():
+        # Nothing but PyTorch for CUDA brings Triton.
+        from macram.train import norm_relu_gpu  # noqa: PLC0415
 
         norm_relu_gpu.fuse_batch_norm(module)
