@@ -46,10 +46,8 @@ def detect_frames(
     parts = [frames[start : start + BATCH] for start in range(0, len(frames), BATCH)]
     processes = min(len(os.sched_getaffinity(0)), len(parts), MOST_PROCESSES)
     if processes <= 1:
-        predictor, threads = (
-            Predictor.load(model, torch.device(device), settings=settings),
-            torch.get_num_threads(),
-        )
+        predictor = Predictor.load(model, torch.device(device), settings=settings)
+        threads = torch.get_num_threads()
         torch.set_num_threads(1)
         try:
             return _gathered((_detect(predictor, part) for part in parts), len(frames), told)
