@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from macram import golden
+from macram import golden, weights
 from macram.cli import main
 from macram.cli.console import open_console
 from macram.cli.stages import Stages
@@ -60,7 +60,8 @@ def chain(monkeypatch):
         about = network.about
         report = {
             "image": image.name, "cam_K": [1.0] * 9, "camera": "assumed", "network": network.name,
-            "form": "3 bit", "sha256": about["sha256"], "scores": about["scores"], "layer": "stage2.unit1.expand",
+            "form": "3 bit", "solver": "RANSAC", "layer": "stage2.unit1.expand",
+            "sha256": about["sha256"], "scores": about["scores"],
             "pose": {"cam_t_m2c": [1.0, 2.0, 300.0], "score": 0.5},
             "errors": {"rotation_deg": 2.5, "translation_mm": 3.5, "distance_mm": 301.0, "add_corners_d": 0.0625},
         }  # fmt: skip
@@ -93,6 +94,8 @@ def chain(monkeypatch):
         )
 
     monkeypatch.setitem(sys.modules, "macram.front", types.SimpleNamespace(reference_case=reference_case))
+    pose = weights.role("pose")
+    monkeypatch.setattr(weights, "role", {"pose": pose, "reference_layer": None}.get)
     learned = types.SimpleNamespace(learned_front=learned_front)
     monkeypatch.setitem(sys.modules, "macram.train.learned", learned)
     fake = types.SimpleNamespace(simulate=simulate, build_array=lambda array, *, waves: None)

@@ -17,7 +17,7 @@ from macram.data.files import read_json, read_picture
 from macram.front.case import REFERENCE_LAYER
 from macram.front.image import normalise
 from macram.layer_file import LayerCase
-from macram.pose import Pose, draw_pose
+from macram.pose import EdgeSettings, LookSettings, Pose, PoseSettings, draw_pose
 from macram.pose.metrics import add, re, te
 from macram.pose.rigid import Floats, camera_matrix
 from macram.quant import DeployedNetwork, host_codes, lower
@@ -27,6 +27,8 @@ from macram.train.predict import Predictor
 from macram.train.samples import box_of
 from macram.weights import Shipped
 
+REFINED = PoseSettings(looks=LookSettings(turns=4), edges=EdgeSettings(box=0.9928))
+"""How the demo finds the pose: as the refined scores of ``docs/results.md``, for the rendered CubeSat."""
 FRAMES = "test_frames.json"
 """Beside a picture: cameras and true poses of that folder's pictures."""
 
@@ -59,7 +61,7 @@ def learned_front(image: Path, network: Shipped, *, focal: float | None = None) 
     Raises:
         ValueError: an unreadable picture, or weights that are missing, changed or not in mode III.
     """
-    predictor = Predictor.load(network.checked(), integer=True)
+    predictor = Predictor.load(network.checked(), integer=True, settings=REFINED)
     card = predictor.card
     picture, camera, source, known = picture_and_camera(image, card, focal)
     found = predictor.detect(picture, camera)
@@ -75,6 +77,7 @@ def learned_front(image: Path, network: Shipped, *, focal: float | None = None) 
         "camera": source,
         "network": network.name,
         "form": f"{card.bits} bit, mode {card.mode}, deployed integers",
+        "solver": REFINED.words,
         "sha256": network.about["sha256"],
         "scores": network.about["scores"],
         "pose": None if found is None else found.to_dict(),

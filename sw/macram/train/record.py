@@ -48,9 +48,13 @@ def stage_records(card: Card, configs: Sequence[Path]) -> list[dict[str, Any]]:
 
 
 def train_command(path: Path, config: Mapping[str, Any]) -> str:
-    """``macram train PATH --set ...`` that gives ``config``, folders apart."""
-    words = ["macram", "train", path.as_posix()]
-    for key, value in sorted(differences(load_config(path).to_dict(), completed(config)).items()):
+    """``macram train PATH --set ...`` that gives ``config``, folders of this machine apart."""
+    words, base = ["macram", "train", path.as_posix()], load_config(path)
+    changes = differences(base.to_dict(), completed(config))
+    root = Path(config["data"]["root"])
+    if not root.is_absolute() and root != Path(base.data.root):
+        changes["data.root"] = root.as_posix()
+    for key, value in sorted(changes.items()):
         words += ["--set", f"{key}={value if isinstance(value, str) else _toml(value)}"]
     return shlex.join(words)
 
