@@ -99,7 +99,7 @@ def test_a_runs_own_network_is_called_after_its_folder(software_array, tmp_path,
     (run / "model.safetensors").write_bytes(find("quarter-w3a3").path.read_bytes())
     command = [*COMMAND[:-1], "run7/model.safetensors", "--image", str(picture), "--focal", str(focal())]
     assert main(command) == 0
-    table = json.loads((tmp_path / "build/network/zu3eg-sums-run7/picture.json").read_text())
+    table = json.loads((tmp_path / "build/network/zu3eg-run7/picture.json").read_text())
     assert table["network"].startswith("run7, 3 bit")
 
 
