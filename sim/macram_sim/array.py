@@ -8,6 +8,7 @@ import os
 import shutil
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.metadata import version
@@ -22,7 +23,7 @@ from macram.golden import ResidualRule
 from macram.pack import PackedLayer
 from macram.spec import ArrayConfig
 from macram_sim.build import Build, SimulationError, build, waves_wanted
-from macram_sim.folders import build_root, job_folder, locked
+from macram_sim.folders import build_root, gone_if_interrupted, job_folder, locked
 from macram_sim.progress import watching
 from macram_sim.runner import choose_seed, run
 from macram_sim.streams import PATTERNS
@@ -127,7 +128,7 @@ def simulate(
     (folder / "job.json").write_text(json.dumps(options, indent=2) + "\n")
     for stale in ("output.npy", "sums.npy", "result.json"):
         (folder / stale).unlink(missing_ok=True)
-    with watching(folder, told):
+    with nullcontext() if keep else gone_if_interrupted(folder), watching(folder, told):
         done = run(
             model,
             "macram_sim.bench_array",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fcntl
 import os
+import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -27,6 +28,16 @@ def job_folder(name: str) -> Path:
     jobs = build_root() / "jobs"
     jobs.mkdir(parents=True, exist_ok=True)
     return Path(tempfile.mkdtemp(prefix=f"{name}-", dir=jobs))
+
+
+@contextmanager
+def gone_if_interrupted(folder: Path) -> Iterator[None]:
+    """Removes a job's folder where somebody stops the simulation: what stays is for looking into failures."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        shutil.rmtree(folder, ignore_errors=True)
+        raise
 
 
 @contextmanager

@@ -18,7 +18,7 @@ from macram.driver import COUNTERS
 from macram.pack import PackedLayer
 from macram_sim.array import build_array
 from macram_sim.build import SimulationError
-from macram_sim.folders import job_folder
+from macram_sim.folders import gone_if_interrupted, job_folder
 from macram_sim.progress import watching
 from macram_sim.runner import run
 
@@ -68,7 +68,7 @@ def simulate_hosted(
     folder = job_folder(layers[0].array.name)
     with (folder / LAYERS).open("wb") as file:
         pickle.dump(list(layers), file)
-    with watching(folder, told), ThreadPoolExecutor(1) as pool:
+    with gone_if_interrupted(folder), watching(folder, told), ThreadPoolExecutor(1) as pool:
         simulation = pool.submit(
             run, model, "macram_sim.bench_hosted", folder / "run", seed=seed, env={"MACRAM_JOB": str(folder)}
         )

@@ -162,6 +162,17 @@ def test_a_row_is_refined_before_it_is_finished_and_can_be_refined_later(plan, t
     assert written == [(folder / name).read_bytes() for name in ("refined.json", "refined.csv")]
 
 
+def test_a_record_that_is_made_anew_is_whole_or_none(plan, tmp_path, monkeypatch):
+    runs, results = tmp_path / "runs", tmp_path / "results"
+    first = next(plan.jobs())
+    run_job(first, runs, results, Console(quiet=True), limit=2)
+    monkeypatch.setattr(run_module, "write_refined", lambda *a: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        run_module.record_job(first, first.folder(runs), results, device="other", limit=3)
+    assert len(read_frames(results / first.key / "frames.csv").names) == 3
+    assert first.state(runs, results) == "trained"
+
+
 def test_a_network_of_another_configuration_is_no_record_of_a_row(plan, tmp_path):
     runs, results = tmp_path / "runs", tmp_path / "results"
     first, other, _ = plan.jobs()
@@ -247,6 +258,16 @@ def test_the_recipe_is_the_mini_tier_with_backgrounds():
 def test_paper_front_configurations_load():
     for name in ("wdr", "w3a3"):
         load_config(ROOT / f"configs/train-paper-front-{name}.toml")
+
+
+@pytest.mark.parametrize(
+    "action", [["run", "first"], ["record", "first", "RUN", "--device", "a"], ["inference", "M"]]
+)
+def test_a_limit_below_zero_is_refused_before_any_work(plan, action, tmp_path, capsys):
+    command = ["experiments", *action, "--limit", "-1", "--plan", str(tmp_path / "plan.toml")]
+    assert main([*command, "--results", str(tmp_path / "results")]) == 2
+    assert "--limit must be 0 (all frames) or more, not -1" in capsys.readouterr().err
+    assert not (tmp_path / "results").exists()
 
 
 def test_list_tells_states(plan, tmp_path, capsys):

@@ -12,6 +12,7 @@ from train_scene import CORNERS, DIAMETER, write_scene
 
 from macram.data.open import open_dataset
 from macram.experiments import inference
+from macram.experiments.finished import finished
 from macram.experiments.inference import ALL, Try, edge_box, tries_file, try_all
 from macram.experiments.integers import record_integers
 from macram.experiments.plan import Job, Plan, Refined, Row, Source
@@ -153,3 +154,12 @@ def test_other_evaluations_are_refused(details, words, job, tmp_path):
     with pytest.raises(ValueError, match=words):
         record_integers(job, evaluation(tmp_path / "e.json", **details), tmp_path)
     assert not (tmp_path / "quantised.s1/integers.json").exists()
+
+
+def test_integers_of_another_network_are_no_part_of_a_record(job, tmp_path):
+    record_integers(job, evaluation(tmp_path / "e.json"), tmp_path)
+    (whole,) = finished(job.plan, tmp_path)
+    assert whole.integers["frames"] == 1
+    (tmp_path / "quantised.s1/result.json").write_text(json.dumps({"model_sha256": "trained again"}))
+    with pytest.raises(ValueError, match=r"another network.*macram experiments integers quantised"):
+        finished(job.plan, tmp_path)

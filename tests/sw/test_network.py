@@ -182,6 +182,17 @@ def test_pages_say_what_the_json_says(tmp_path, shapes):
         assert all(head in text for head in HEAD)
 
 
+def test_the_page_has_room_for_its_table(tmp_path, shapes):
+    """18 columns do not fit into a page for reading; layers' names may break at their points, and nowhere else."""
+    first = dataclasses.replace(shapes[0], names=("a<b.conv",))
+    table = network_table(ZU3EG, [first], {first: as_estimated(first)})
+    text = write_network(tmp_path, table, network="", command="", about={}).read_text()
+    assert '<main class="wide">' in text
+    assert "a&lt;b.<wbr>conv" in text
+    assert f">{table.rows[0]['estimate']['total']:,}<" in text
+    assert text.count("<wbr>") == 1
+
+
 def test_records_belong_to_design_shape_and_seed(tmp_path, shapes):
     first, second = shapes[:2]
     path = record_path(tmp_path, first, "a" * 64, 1)
@@ -206,6 +217,8 @@ def test_records_belong_to_design_shape_and_seed(tmp_path, shapes):
         (["--size", "huge"], "size must be one of"),
         (["--image", "a.png"], "--image and --focal go with --weights"),
         (["--weights", "quarter-w3a3", "--limit", "3"], "--limit has no part in a run with --weights"),
+        (["--weights", "quarter-w3a3", "--limit", "0"], "--limit has no part in a run with --weights"),
+        (["--weights", "quarter-w3a3", "--seed", "0"], "--seed has no part in a run with --weights"),
         (["--weights", "nothing"], "no file and no shipped weights 'nothing'"),
     ],
 )

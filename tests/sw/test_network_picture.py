@@ -90,6 +90,36 @@ def test_one_code_is_red(software_array, tmp_path, capsys):
     assert [row["mismatches"] for row in rows[:5]] == [0, 0, 0, 0, 1]
 
 
+def test_a_runs_own_network_is_called_after_its_folder(software_array, tmp_path, capsys, monkeypatch):
+    """Every run's network is a model.safetensors: pages of two of them must not take one another's place."""
+    monkeypatch.chdir(tmp_path)
+    picture, run = tmp_path / "small.png", tmp_path / "run7"
+    Image.fromarray(np.zeros((32, 32, 3), np.uint8)).save(picture)
+    run.mkdir()
+    (run / "model.safetensors").write_bytes(find("quarter-w3a3").path.read_bytes())
+    command = [*COMMAND[:-1], "run7/model.safetensors", "--image", str(picture), "--focal", str(focal())]
+    assert main(command) == 0
+    table = json.loads((tmp_path / "build/network/zu3eg-run7/picture.json").read_text())
+    assert table["network"].startswith("run7, 3 bit")
+
+
+def test_a_damaged_result_is_computed_again(software_array, tmp_path, capsys):
+    """Cut short, empty, or with bits that do not unpack: what is behind the last whole convolution is made anew."""
+    picture = tmp_path / "small.png"
+    Image.fromarray(np.random.default_rng(1).integers(0, 256, (32, 32, 3)).astype(np.uint8)).save(picture)
+    command = [*COMMAND, "--image", str(picture), "--focal", str(focal()), "-o", str(tmp_path / "out")]
+    assert main(command) == 0
+    kept = next((tmp_path / "out" / "results").iterdir()) / "stage2.unit1.reduce.npz"
+    whole = kept.read_bytes()
+    flipped = bytearray(whole)
+    for place in range(60, 90):
+        flipped[place] ^= 0xFF
+    for damaged in (whole[: len(whole) // 2], b"", bytes(flipped)):
+        kept.write_bytes(damaged)
+        assert main(command) == 0
+        assert kept.read_bytes() != damaged
+
+
 def focal():
     """Of the shipped network's training, so that the picture keeps its size."""
     from macram.train.checkpoint import load_model  # noqa: PLC0415

@@ -71,6 +71,13 @@ def test_too_near_and_too_far_are_left_alone(t):
     assert refine_on_edges(painted(TRUE), start, K, BOX) is start
 
 
+def test_a_pose_right_before_the_camera_is_left_alone():
+    """Its target would be some 60,000 px wide, and the search across it wider than a picture may be."""
+    start = Pose(np.eye(3), np.array([0.0, 0.0, 56.5 / 0.97]))
+    long = np.diag([10.0, 10.0, 1.0]) @ K
+    assert refine_on_edges(painted(TRUE), start, long, BOX) is start
+
+
 def test_visible_edges_by_how_many_sides_face_the_camera():
     far = np.array([0.0, 0.0, 5000.0])
     assert len(visible_edges(np.eye(3), far, BOX)) == 4

@@ -299,9 +299,13 @@ def test_looks_and_edges_run_in_every_form(form, scene, tmp_path, request, monke
 
 
 @pytest.mark.parametrize(
-    "options", [("--looks", -1), ("--edges", -0.5), ("--edges", "nan"), ("--looks", 1000)]
-)
-def test_options_out_of_range_leave_nothing(options, scene, weights, tmp_path):
+    "options",
+    [
+        ("--looks", -1), ("--edges", -0.5), ("--edges", "nan"), ("--looks", 1000), ("--limit", -3),
+        ("--published", "--looks", 2), ("--no-refine", "--edges"),
+    ],
+)  # fmt: skip
+def test_options_that_cannot_be_leave_nothing(options, scene, weights, tmp_path):
     out = tmp_path / "out"
     with pytest.raises(ValueError, match=options[0].lstrip("-")):
         evaluate(parse(add_evaluate, "evaluate", weights, "--data", scene, "-o", out, *options))

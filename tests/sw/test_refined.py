@@ -17,6 +17,7 @@ from macram.experiments.plan import Plan, Refined, Row, Source
 from macram.experiments.run import read_evaluation
 from macram.model import SpaceNet, spacenet_config
 from macram.pose import EdgeSettings, LookSettings, PoseSettings
+from macram.train import detect
 from macram.train.checkpoint import Card, save_model
 from macram.train.detect import detect_frames
 from macram.train.predict import Predictor
@@ -31,16 +32,28 @@ def numbers(found):
 
 
 @pytest.fixture
-def one_thread():
-    """As in a worker: the sums of a convolution depend on the number of threads."""
+def threads():
+    """Sets PyTorch's threads, on whose number the sums of a convolution depend."""
     before = torch.get_num_threads()
-    torch.set_num_threads(1)
-    yield
+    yield torch.set_num_threads
     torch.set_num_threads(before)
 
 
-@pytest.mark.usefixtures("one_thread")
-def test_processes_find_what_one_finds_in_order(tmp_path, monkeypatch):
+def test_a_single_process_has_one_thread_too(monkeypatch, threads):
+    threads(3)
+    used = []
+    monkeypatch.setattr(os, "sched_getaffinity", lambda pid: {0, 1})
+    monkeypatch.setattr(Predictor, "load", lambda *a, **k: None)
+    monkeypatch.setattr(
+        detect, "_detect", lambda _, part: used.append(torch.get_num_threads()) or len(part) * [None]
+    )
+    assert detect_frames("model", 5 * [None], "cpu", SETTINGS) == 5 * [None]
+    assert used == [1]
+    assert torch.get_num_threads() == 3
+
+
+def test_processes_find_what_one_finds_in_order(tmp_path, monkeypatch, threads):
+    threads(1)  # for the predictors below
     config = spacenet_config("tiny", "deployable", image_size=64, counterfactual=False)
     net = SpaceNet(config, torch.Generator().manual_seed(1)).eval()
     card = Card(config, tuple(tuple(map(float, c)) for c in CORNERS), DIAMETER, "box", True, 76.0)

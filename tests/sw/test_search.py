@@ -194,6 +194,7 @@ def test_older_counts_are_told(tmp_path, small, capsys, monkeypatch):
             "--search ranks by a network; name one with --network",
         ),
         (["--search", "xczu3eg", "--simulate"], "leave out CONFIG.toml and --simulate"),
+        (["--search", "xczu3eg", "--synth", "nowhere"], "--search reads --synth only to count anew"),
         (["--recount"], "--recount belongs to --search; name a device with --search xczu3eg"),
         (
             ["--search", "xczu3eg", "--recount", "--synth", "nowhere"],

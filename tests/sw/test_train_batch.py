@@ -61,6 +61,12 @@ def views_of(frames, seed, augment=None, size=(64, 64), count=8):
     )
 
 
+def test_views_larger_than_the_noise_are_refused():
+    assert Warper.noise_places((1182, 1182)) == 46
+    with pytest.raises(ValueError, match=r"views of 1920x1216 pixels are too large.*data\.shrink"):
+        Warper.noise_places((1216, 1920))
+
+
 # ---- packing ----------------------------------------------------------------------------------------
 
 

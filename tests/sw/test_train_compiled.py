@@ -250,6 +250,14 @@ def test_compiled_once(elsewhere):
     assert [(path, path.stat().st_mtime_ns) for path in elsewhere.iterdir()] == [(made, written)]
 
 
+def test_a_damaged_library_is_compiled_again(elsewhere):
+    made = elsewhere / f"pictures-{compiled._key(compiled.SOURCES / 'pictures.cpp')}.so"
+    elsewhere.mkdir(parents=True)
+    made.write_bytes(b"")
+    assert compiled.library("pictures") is not None
+    assert made.stat().st_size > 0
+
+
 @pytest.mark.parametrize("fault", ["missing", "failing", "folder"])
 def test_without_a_compiler_pytorch_does_the_work(elsewhere, monkeypatch, tmp_path, fault, frames):
     tools = tmp_path / "tools"

@@ -108,7 +108,14 @@ def test_one_output_channel_is_convolved_as_by_pytorch(kernel, bias, size):
 
 @pytest.mark.parametrize(
     "other",
-    [{"out_channels": 2}, {"stride": 2}, {"dilation": 2}, {"padding": 0}, {"kernel_size": 1, "padding": 0}],
+    [
+        {"out_channels": 2},
+        {"stride": 2},
+        {"dilation": 2},
+        {"padding": 0},
+        {"padding_mode": "reflect"},
+        {"kernel_size": 1, "padding": 0},
+    ],
 )
 def test_other_convolutions_stay_as_they_are(other):
     layer = nn.Conv2d(**{"in_channels": 4, "out_channels": 1, "kernel_size": 3, "padding": 1} | other)

@@ -13,7 +13,7 @@ from typing import Any
 
 from macram.spec import ArrayConfig
 from macram_sim.array import build_array
-from macram_sim.folders import job_folder
+from macram_sim.folders import gone_if_interrupted, job_folder
 from macram_sim.regression.arrays import ARRAYS
 from macram_sim.regression.coverage import Score, score
 from macram_sim.regression.observation import Observation
@@ -98,7 +98,7 @@ def regress(
         (folder / "job.json").write_text(json.dumps(job))
         lines = folder / "seen.jsonl"
         before = _children_seconds()
-        with _Following(lines, len(seen), progress):
+        with gone_if_interrupted(folder), _Following(lines, len(seen), progress):
             done = run(
                 model,
                 "macram_sim.bench_regression",

@@ -43,6 +43,8 @@ def search_designs(arguments: argparse.Namespace, runs: Sequence[Mapping[str, An
         raise ValueError("--search ranks by a network; name one with --network")
     if arguments.configs or arguments.simulate:
         raise ValueError("--search goes through arrays of its own; leave out CONFIG.toml and --simulate")
+    if arguments.synth is not None and not arguments.recount:
+        raise ValueError("--search reads --synth only to count anew; add --recount or leave --synth away")
     device = devices.DEVICES[arguments.search]
     console = open_console()
     stages = Stages(console)

@@ -90,6 +90,8 @@ def evaluate(arguments: argparse.Namespace) -> int:
     choice = arguments.weights or arguments.model
     if not choice or (arguments.weights and arguments.model):
         raise ValueError("name the network once: macram evaluate MODEL, or macram evaluate --weights MODEL")
+    if arguments.limit < 0:
+        raise ValueError(f"--limit must be 0 (all frames) or more, not {arguments.limit}")
     settings = pose_settings(
         arguments,
         refine=not (arguments.no_refine or arguments.published),

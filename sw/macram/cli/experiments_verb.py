@@ -107,6 +107,8 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
 
 def experiments(arguments: argparse.Namespace) -> int:
     """Run one action."""
+    if getattr(arguments, "limit", 0) < 0:
+        raise ValueError(f"--limit must be 0 (all frames) or more, not {arguments.limit}")
     action: Callable[[argparse.Namespace], int] = ACTIONS[arguments.action]
     return action(arguments)
 

@@ -24,7 +24,7 @@ def network_picture(arguments: argparse.Namespace, array: ArrayConfig) -> int:
     from macram_sim.array import build_array  # noqa: PLC0415
 
     for name in ("size", "side", "only", "limit", "seed"):
-        if getattr(arguments, name):
+        if getattr(arguments, name) not in (None, []):
             raise ValueError(f"--{name} has no part in a run with --weights; leave it away")
     image = arguments.image or demo_image()
     if image is None:
@@ -33,7 +33,10 @@ def network_picture(arguments: argparse.Namespace, array: ArrayConfig) -> int:
     stages = Stages(console)
     with stages("the deployed network"):
         shown = PictureNetwork(image, weights_file(arguments.weights), array, arguments.focal)
-    weights = Path(arguments.weights).stem
+    path = Path(arguments.weights)
+    weights = (
+        path.resolve().parent.name if path.stem == "model" else path.stem
+    )  # a run's network has no own name
     out = arguments.out or Path("build/network") / f"{array.name}-{weights}"
     with stages(f"{shown.array.name}: export the Verilog"):
         design = design_hash(shown.array)

@@ -39,7 +39,7 @@ def pose_settings(
     """What the options ask for.
 
     Raises:
-        ValueError: a number out of range.
+        ValueError: a number out of range, or refinement that ``refine`` rules out.
     """
     from macram.pose import EdgeSettings, LookSettings, PoseSettings, RansacSettings  # noqa: PLC0415
 
@@ -47,6 +47,10 @@ def pose_settings(
         raise ValueError(f"--looks must be 0 or more, not {arguments.looks}")
     if not 0 <= arguments.edges < float("inf"):
         raise ValueError(f"--edges must be above 0, not {arguments.edges}")
+    if not refine and (arguments.looks or arguments.edges):
+        raise ValueError(
+            "--published and --no-refine are a single look as published; leave --looks and --edges away"
+        )
     return PoseSettings(
         published=published,
         ransac=RansacSettings(refine=refine),

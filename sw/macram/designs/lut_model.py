@@ -113,7 +113,9 @@ def read_counts(path: Path | None = None) -> dict[str, Any]:
         if len(table["units"]) < len(TERMS) or len(table["arrays"]) < 2:
             raise ValueError("too few counts")
     except (OSError, ValueError, KeyError, TypeError) as error:
-        raise ValueError(f"{source} is no table of counts; write it with macram designs --recount") from error
+        raise ValueError(
+            f"{source} is no table of counts; write it with macram designs --search xczu3eg --recount"
+        ) from error
     return table
 
 

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from macram.data.files import read_json
-from macram.experiments.integers import INTEGERS
+from macram.experiments.integers import read_integers
 from macram.experiments.plan import RESULT, Job, Plan, read_result
 from macram.experiments.refined import RefinedScores, read_refined
 from macram.experiments.statistics import Frames, read_frames
@@ -36,11 +35,11 @@ def finished(plan: Plan, results: Path) -> list[Finished]:
 
 
 def _finished(job: Job, folder: Path) -> Finished:
-    record, integers = read_result(folder), folder / INTEGERS
+    record = read_result(folder)
     return Finished(
         job,
         record,
         read_frames(folder / "frames.csv"),
         read_refined(job, folder, record),
-        read_json(integers) if integers.is_file() else None,
+        read_integers(job, folder, record),
     )

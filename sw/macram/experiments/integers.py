@@ -76,3 +76,26 @@ def record_integers(job: Job, scored: Path, results: Path) -> Path:
     }
     write_json(folder / INTEGERS, result)
     return folder / INTEGERS
+
+
+def read_integers(job: Job, folder: Path, record: dict[str, Any]) -> dict[str, Any] | None:
+    """``integers.json`` of a record; None where they were not measured.
+
+    Args:
+        job: of the record.
+        folder: of the record.
+        record: its ``result.json``.
+
+    Raises:
+        ValueError: a broken file, or one of another network than the record.
+    """
+    path = folder / INTEGERS
+    if not path.is_file():
+        return None
+    table: dict[str, Any] = read_json(path)
+    if table.get("model_sha256") != record["model_sha256"]:
+        raise ValueError(
+            f"{path}: is of another network than the record; macram experiments integers {job.row.name} "
+            "EVALUATION.json makes it anew"
+        )
+    return table

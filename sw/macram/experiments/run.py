@@ -120,6 +120,7 @@ def record_job(
         evaluation = read_evaluation(scored, [frame.name for frame in frames])
     folder = results / job.key
     folder.mkdir(parents=True, exist_ok=True)
+    (folder / RESULT).unlink(missing_ok=True)  # no record stands beside the frames of another network
     write_text(folder / "frames.csv", frames_csv(evaluation))
     write_text(folder / "curve.csv", thinned_curve(run / "log.csv"))
     chosen = [frames[index] for index in outcomes(evaluation)]

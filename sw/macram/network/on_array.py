@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
+import zipfile
+import zlib
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -127,8 +129,8 @@ class ArrayNetwork:
                 with np.load(kept / f"{step.op.name}.npz") as parts:
                     self.tensors[step.op.name] = parts["codes"]
                     self.runs[step.op.name] = dict(zip(FIGURES, parts["runs"].tolist(), strict=True))
-            except (OSError, ValueError, KeyError):
-                return count
+            except (OSError, EOFError, ValueError, KeyError, zipfile.BadZipFile, zlib.error):
+                return count  # missing or damaged
             self._host_until(step)
             self._tell(count + 1)
         return len(self.steps)

@@ -28,6 +28,8 @@ _MEASUREMENTS = 2
 _SOLVER_STEPS = 4
 _SMALLEST_PX = 6.0
 """Targets below this have no edges to speak of."""
+_LARGEST_PX = 4000.0
+"""Targets above this come from a pose that is wrong; the search would reach farther than any picture."""
 _NEAREST_MM = 1.0
 
 
@@ -92,7 +94,7 @@ def refine_on_edges(
         settings: defaults if None.
 
     Returns:
-        The aligned pose; ``pose`` itself where the target is too small or partly behind the camera.
+        The aligned pose; ``pose`` itself where the target is too small, too large or partly behind the camera.
 
     Raises:
         ValueError: the corners are not those of a box.
@@ -108,7 +110,7 @@ def refine_on_edges(
         return pose
     held = projected(matrix, R, t, box)[0]
     size = float(np.ptp(held, axis=0).max())
-    if size < _SMALLEST_PX:
+    if not _SMALLEST_PX <= size <= _LARGEST_PX:
         return pose
     # Steps are placed in linear light: the response curve would move them towards the dark side.
     grey = image.astype(np.float32)

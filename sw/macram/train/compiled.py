@@ -35,10 +35,14 @@ def library(name: str) -> ctypes.CDLL | None:
     try:
         source = SOURCES / f"{name}.cpp"
         path = cache_folder() / f"{name}-{_key(source)}.so"
-        if not path.is_file():
-            _compile(source, path)
+        if path.is_file():
+            try:
+                return ctypes.CDLL(str(path))
+            except OSError:  # damaged, or linked against libraries that are gone
+                pass
+        _compile(source, path)
         return ctypes.CDLL(str(path))
-    except (OSError, subprocess.SubprocessError):
+    except (OSError, RuntimeError, subprocess.SubprocessError):  # RuntimeError: nobody's home is known
         return None
 
 
@@ -50,6 +54,8 @@ def _compile(source: Path, path: Path) -> None:
         subprocess.run(
             [*COMMAND, str(source), "-o", str(made)], check=True, capture_output=True, timeout=PATIENCE
         )
+        with made.open("rb") as file:
+            os.fsync(file.fileno())  # half a library would not fail to load but end the process
         made.replace(path)
 
 

@@ -47,7 +47,12 @@ def detect_frames(
     processes = min(len(os.sched_getaffinity(0)), len(parts), MOST_PROCESSES)
     if processes <= 1:
         predictor = Predictor.load(model, torch.device(device), settings=settings)
-        return _gathered((_detect(predictor, part) for part in parts), len(frames), told)
+        threads = torch.get_num_threads()
+        torch.set_num_threads(1)
+        try:
+            return _gathered((_detect(predictor, part) for part in parts), len(frames), told)
+        finally:
+            torch.set_num_threads(threads)
     pool = ProcessPoolExecutor(processes, multiprocessing.get_context("spawn"), _start_worker)
     try:
         return _gathered(pool.map(partial(_work, model, device, settings), parts), len(frames), told)

@@ -32,13 +32,13 @@ class NarrowConv2d(nn.Conv2d):
 def narrow_convolutions(module: nn.Module) -> None:
     """Turns every convolution in ``module`` that fits into a `NarrowConv2d`, in place.
 
-    One output channel, stride 1, a kernel of several taps and as many outputs as inputs.
+    One output channel, stride 1, a kernel of several taps, zeros around and as many outputs as inputs.
     """
     for layer in module.modules():
         if type(layer) is not nn.Conv2d or layer.out_channels > 1 or layer.groups > 1:
             continue
         same = layer.padding == tuple((side - 1) // 2 for side in layer.kernel_size)
         plain = set(layer.stride) == set(layer.dilation) == {1} and all(k % 2 for k in layer.kernel_size)
-        if same and plain and layer.kernel_size != (1, 1):
+        if same and plain and layer.kernel_size != (1, 1) and layer.padding_mode == "zeros":
             # The same parameters, names and state under another forward, as for several processes.
             layer.__class__ = NarrowConv2d

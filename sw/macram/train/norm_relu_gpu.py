@@ -97,11 +97,12 @@ class RectifyingBatchNorm2d(nn.BatchNorm2d):
 
     def rectified(self, input: Tensor, plus: Tensor | None = None) -> Tensor:
         """``relu(self(input)) + plus``, ``[N, C, H, W]``: normalised and rectified in one go while training."""
-        if not self.training:
+        count = input.numel() // input.shape[1]
+        if not self.training or count == 1:  # one value has no variance: PyTorch's layer says so
             y = torch.relu(self(input))
             return y if plus is None else plus + y
         y, mean, variance = _NormRelu.apply(input, self.weight, self.bias, self.eps)  # type: ignore[no-untyped-call]
-        follow_statistics(self, mean, variance, input.numel() // input.shape[1])
+        follow_statistics(self, mean, variance, count)
         return cast(Tensor, y) if plus is None else plus + y
 
 

@@ -112,7 +112,16 @@ class Warper:
 
     @staticmethod
     def noise_places(size: tuple[int, int]) -> int:
-        """In how many places the noise of a view of this size may start."""
+        """In how many places the noise of a view of this size may start.
+
+        Raises:
+            ValueError: there is not enough of it for a single view.
+        """
+        if 3 * size[0] * size[1] > NOISE_BANK:
+            raise ValueError(
+                f"views of {size[1]}x{size[0]} pixels are too large to train on, {NOISE_BANK // 3:,} pixels at most; "
+                "set data.shrink or crops.sizes"
+            )
         return (NOISE_BANK - 3 * size[0] * size[1]) // NOISE_STRIDE + 1
 
     def batch(self, views: Views, cells: Cells, size: tuple[int, int]) -> Batch:
