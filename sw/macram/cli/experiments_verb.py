@@ -152,6 +152,9 @@ def _list(arguments: argparse.Namespace) -> int:
 
 
 def _run(arguments: argparse.Namespace) -> int:
+    from macram.train.memory import keep_memory  # noqa: PLC0415
+
+    keep_memory()
     from macram.cli.console import open_console  # noqa: PLC0415
     from macram.cli.evaluate_verb import frames_progress  # noqa: PLC0415
     from macram.experiments.plan import Job, read_plan  # noqa: PLC0415

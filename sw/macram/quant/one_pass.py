@@ -6,9 +6,11 @@ Quantising a map in PyTorch's own operations reads and writes it a dozen times, 
 from __future__ import annotations
 
 import os
+import sysconfig
 from collections.abc import Callable
 from functools import cache
 from importlib.util import find_spec
+from pathlib import Path
 from shutil import which
 from typing import Any
 
@@ -20,9 +22,10 @@ Function = Callable[..., tuple[Tensor, ...]]
 
 @cache
 def compiles_kernels() -> bool:
-    """Whether kernels for a GPU can be made here: Triton, and the C compiler that it calls."""
+    """Whether kernels for a GPU can be made here: Triton, and the C compiler and Python's headers that it takes."""
     compilers = (os.environ.get("CC"), "gcc", "clang")
-    return find_spec("triton") is not None and any(which(name) for name in compilers if name)
+    headers = Path(sysconfig.get_path("include"), "Python.h").is_file()
+    return find_spec("triton") is not None and headers and any(which(name) for name in compilers if name)
 
 
 def has_one_pass(map_: Tensor) -> bool:
