@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 import torch
 from torch.nn import functional
+from train_scene import write_scene
 
 from macram.quant import LsqQuantizer
 from macram.quant import lsq as lsq_module
@@ -21,8 +22,6 @@ SCENE_FRAMES = (8, 4)
 
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
-    from train_scene import write_scene  # noqa: PLC0415
-
     return write_scene(tmp_path_factory.mktemp("scene") / "data", SCENE_FRAMES)
 
 
