@@ -90,6 +90,8 @@ FAULTS = ["dead_top", "drifting_statistics", "untrained_counterfactual", "misali
     ("stage", "tables"),
     [
         ("wdr", {}),
+        ("wdr", {"network": {"variant": "corrected"}}),
+        ("wdr", {"network": {"variant": "published"}}),
         ("control", {}),
         ("counterfactual", {}),
         ("counterfactual", {"network": {"faults": FAULTS}}),
