@@ -22,7 +22,7 @@ CODE = {
 }
 
 LAYERS = (
-    {"macram.spec", "macram.weights"},
+    {"macram.spec", "macram.weights", "macram.kept"},
     {"macram.layer_file", "macram.perf", "macram_hw"},
     {"macram.golden"},
     {"macram.pack"},

@@ -3,24 +3,18 @@
 from __future__ import annotations
 
 import fcntl
-import os
 import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from macram.kept import kept
+
 
 def build_root() -> Path:
-    """``$MACRAM_BUILD_DIR/sim``, else ``macram/sim`` in ``$XDG_CACHE_HOME``, else in ``~/.cache``.
-
-    Not below the current directory: the same array would be built again in every folder somebody works in.
-    """
-    if chosen := os.environ.get("MACRAM_BUILD_DIR"):
-        return (Path(chosen) / "sim").resolve()
-    cache = Path(os.environ.get("XDG_CACHE_HOME", ""))
-    # The XDG specification says that a relative path is to be ignored.
-    return (cache if cache.is_absolute() else Path.home() / ".cache") / "macram" / "sim"
+    """Of everything simulated: ``$MACRAM_BUILD_DIR/sim``, or where `macram.kept` has it else."""
+    return kept("sim")
 
 
 def job_folder(name: str) -> Path:

@@ -16,10 +16,10 @@ from macram.pose import Pose, project
 from macram.pose.warp import Draw, Warp, exact_warp, warp_image, warp_mask
 from macram.train.augment import NONE, AugmentSettings
 from macram.train.losses import LossWeights, focal_loss, object_space_loss
-from macram.train.objective import PER_IMAGES, SLOTS, Objective, assign, positive_slots, sight
+from macram.train.objective import PER_IMAGES, SLOTS, Objective, assign, positive_slots
 from macram.train.pack import pack_frames
 from macram.train.settings import DataSettings
-from macram.train.targets import IGNORED, POSITIVE, cells_in_mask
+from macram.train.targets import IGNORED, POSITIVE, cells_in_mask, sight
 from macram.train.views import _moves as moves
 from macram.train.views import draw_views, frame_order
 from macram.train.warp import Batch, Cells, Warper

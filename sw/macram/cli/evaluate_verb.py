@@ -71,6 +71,16 @@ def add_evaluate(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) 
     add_pose_options(sub)
 
 
+def check_limit(frames: int) -> None:
+    """Before anything is computed.
+
+    Raises:
+        ValueError: not a number of frames.
+    """
+    if frames < 0:
+        raise ValueError(f"--limit must be 0 (all frames) or more, not {frames}")
+
+
 def evaluate(arguments: argparse.Namespace) -> int:
     """Score one network."""
     # Late: the grammar above is loaded by every command, PyTorch is not.
@@ -90,8 +100,7 @@ def evaluate(arguments: argparse.Namespace) -> int:
     choice = arguments.weights or arguments.model
     if not choice or (arguments.weights and arguments.model):
         raise ValueError("name the network once: macram evaluate MODEL, or macram evaluate --weights MODEL")
-    if arguments.limit < 0:
-        raise ValueError(f"--limit must be 0 (all frames) or more, not {arguments.limit}")
+    check_limit(arguments.limit)
     settings = pose_settings(
         arguments,
         refine=not (arguments.no_refine or arguments.published),

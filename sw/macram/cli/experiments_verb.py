@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from macram.cli.evaluate_verb import check_limit, frames_progress
 from macram.cli.status import OK
 
 DETAIL = (
@@ -21,6 +22,12 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
     top = verb("experiments", "experiments_verb", "run the rows behind docs/results.md", DETAIL)
     actions = top.add_subparsers(dest="action", metavar="ACTION", required=True)
 
+    def of_one_row(name: str, help: str, description: str) -> argparse.ArgumentParser:
+        action: argparse.ArgumentParser = actions.add_parser(name, help=help, description=description)
+        action.add_argument("row", help="as macram experiments list has it")
+        action.add_argument("--seed", type=int, help="default: the row's first seed")
+        return action
+
     rows = actions.add_parser("list", help="every row and seed, and how far it is")
     rows.add_argument("--json", action="store_true", help="print JSON")
 
@@ -33,16 +40,12 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
     )
     run.add_argument("row", help="as macram experiments list has it, or all")
     run.add_argument("--seed", type=int, help="only this one of the row's seeds")
-    run.add_argument(
-        "--limit", type=int, default=0, help="score only so many test frames; the record says so"
-    )
 
-    record = actions.add_parser(
+    record = of_one_row(
         "record",
         help="score a row that was trained elsewhere",
         description="The run's own configuration is held against the row's first.",
     )
-    record.add_argument("row", help="as macram experiments list has it")
     record.add_argument("folder", type=Path, metavar="RUN", help="with model.safetensors and log.csv")
     record.add_argument("--device", required=True, help="what it was trained on, in words")
     record.add_argument(
@@ -51,30 +54,22 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
         metavar="JSON",
         help="evaluation.json of this network by a single look, to save scoring it again",
     )
-    record.add_argument("--seed", type=int, help="default: the row's first seed")
-    record.add_argument(
-        "--limit", type=int, default=0, help="score only so many test frames; the record says so"
-    )
 
-    refine = actions.add_parser(
+    refine = of_one_row(
         "refine",
         help="add the refined scores to a record",
         description="For records without them, or after [refined] of the plan has changed: more looks at every picture "
         "and its edges, on the record's own frames. The network must be the recorded one, by its SHA-256. Up to 8 "
         "processes share the frames.",
     )
-    refine.add_argument("row", help="as macram experiments list has it")
     refine.add_argument("folder", type=Path, metavar="RUN", help="with the row's model.safetensors")
-    refine.add_argument("--seed", type=int, help="default: the row's first seed")
 
-    integers = actions.add_parser(
+    integers = of_one_row(
         "integers",
         help="add the scores of a quantised row's deployed integers",
         description="From the evaluation.json of macram evaluate --integer; the record says how many frames.",
     )
-    integers.add_argument("row", help="as macram experiments list has it")
     integers.add_argument("evaluation", type=Path, metavar="JSON", help="of this row's network")
-    integers.add_argument("--seed", type=int, help="default: the row's first seed")
 
     inference = actions.add_parser(
         "inference",
@@ -89,11 +84,14 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
         action="store_true",
         help="the deployed integers (mode III), chosen ways, test split alone",
     )
-    inference.add_argument("--limit", type=int, default=0, help="only so many frames; the record says so")
 
     table = actions.add_parser("table", help="make docs/results.md and its pictures from the records")
     table.add_argument("-o", "--out", type=Path, default=Path("docs"), metavar="DIR", help="default: docs")
 
+    for action in (run, record, inference):
+        action.add_argument(
+            "--limit", type=int, default=0, help="score only so many frames; the record says so"
+        )
     for action in (rows, run, record, refine, integers, inference, table):
         action.add_argument("--plan", type=Path, default=Path("configs/experiments.toml"), metavar="TOML",
                             help="default: configs/experiments.toml")  # fmt: skip
@@ -107,8 +105,7 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
 
 def experiments(arguments: argparse.Namespace) -> int:
     """Run one action."""
-    if getattr(arguments, "limit", 0) < 0:
-        raise ValueError(f"--limit must be 0 (all frames) or more, not {arguments.limit}")
+    check_limit(getattr(arguments, "limit", 0))
     action: Callable[[argparse.Namespace], int] = ACTIONS[arguments.action]
     return action(arguments)
 
@@ -156,7 +153,6 @@ def _run(arguments: argparse.Namespace) -> int:
 
     keep_memory()
     from macram.cli.console import open_console  # noqa: PLC0415
-    from macram.cli.evaluate_verb import frames_progress  # noqa: PLC0415
     from macram.experiments.plan import Job, read_plan  # noqa: PLC0415
     from macram.experiments.run import run_job  # noqa: PLC0415
 
@@ -181,13 +177,11 @@ def _run(arguments: argparse.Namespace) -> int:
 
 def _record(arguments: argparse.Namespace) -> int:
     from macram.cli.console import open_console  # noqa: PLC0415
-    from macram.cli.evaluate_verb import frames_progress  # noqa: PLC0415
-    from macram.experiments.plan import Job, read_plan  # noqa: PLC0415
+    from macram.experiments.plan import read_plan  # noqa: PLC0415
     from macram.experiments.run import record_job  # noqa: PLC0415
 
     plan, console = read_plan(arguments.plan), open_console()
-    row = plan.row(arguments.row)
-    job = Job(plan, row, row.seeds[0] if arguments.seed is None else arguments.seed)
+    job = plan.job(arguments.row, arguments.seed)
     with frames_progress(console) as told:
         folder = record_job(
             job,
@@ -204,13 +198,11 @@ def _record(arguments: argparse.Namespace) -> int:
 
 def _refine(arguments: argparse.Namespace) -> int:
     from macram.cli.console import open_console  # noqa: PLC0415
-    from macram.cli.evaluate_verb import frames_progress  # noqa: PLC0415
-    from macram.experiments.plan import Job, read_plan  # noqa: PLC0415
+    from macram.experiments.plan import read_plan  # noqa: PLC0415
     from macram.experiments.run import refine_job  # noqa: PLC0415
 
     plan, console = read_plan(arguments.plan), open_console()
-    row = plan.row(arguments.row)
-    job = Job(plan, row, row.seeds[0] if arguments.seed is None else arguments.seed)
+    job = plan.job(arguments.row, arguments.seed)
     with frames_progress(console) as told:
         path = refine_job(job, arguments.folder, arguments.results, told=told)
     console.print(f"{job.key}: refined, {path}", highlight=False, markup=False, soft_wrap=True)
@@ -219,11 +211,10 @@ def _refine(arguments: argparse.Namespace) -> int:
 
 def _integers(arguments: argparse.Namespace) -> int:
     from macram.experiments.integers import record_integers  # noqa: PLC0415
-    from macram.experiments.plan import Job, read_plan  # noqa: PLC0415
+    from macram.experiments.plan import read_plan  # noqa: PLC0415
 
     plan = read_plan(arguments.plan)
-    row = plan.row(arguments.row)
-    job = Job(plan, row, row.seeds[0] if arguments.seed is None else arguments.seed)
+    job = plan.job(arguments.row, arguments.seed)
     print(record_integers(job, arguments.evaluation, arguments.results))
     return OK
 

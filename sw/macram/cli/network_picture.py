@@ -34,9 +34,8 @@ def network_picture(arguments: argparse.Namespace, array: ArrayConfig) -> int:
     with stages("the deployed network"):
         shown = PictureNetwork(image, weights_file(arguments.weights), array, arguments.focal)
     path = Path(arguments.weights)
-    weights = (
-        path.resolve().parent.name if path.stem == "model" else path.stem
-    )  # a run's network has no own name
+    # A run's network has no name of its own.
+    weights = path.resolve().parent.name if path.stem == "model" else path.stem
     out = arguments.out or Path("build/network") / f"{array.name}-{weights}"
     with stages(f"{shown.array.name}: export the Verilog"):
         design = design_hash(shown.array)

@@ -129,6 +129,15 @@ class Plan:
                 return row
         raise ValueError(f"no row {name!r}; rows: {', '.join(row.name for row in self.rows)}")
 
+    def job(self, name: str, seed: int | None) -> Job:
+        """The row called ``name`` with ``seed``, or with its first.
+
+        Raises:
+            ValueError: there is no such row.
+        """
+        row = self.row(name)
+        return Job(self, row, row.seeds[0] if seed is None else seed)
+
     def jobs(self) -> Iterator[Job]:
         """Every row with every seed."""
         return (Job(self, row, seed) for row in self.rows for seed in row.seeds)

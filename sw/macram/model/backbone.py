@@ -145,15 +145,18 @@ class ConvBlock(nn.Module):
         y: Tensor = self.conv(x)
         if isinstance(self.act, nn.ReLU):
             return rectified(self.bn, y, plus)
-        y = self.act(self.bn(y))
-        return y if plus is None else plus + y
+        return summed(self.act(self.bn(y)), plus)
 
 
 def rectified(norm: nn.Module, x: Tensor, plus: Tensor | None = None) -> Tensor:
     """``relu(norm(x))``, and ``plus`` added: by the layer's own method ``rectified`` where it has one."""
     if together := getattr(norm, "rectified", None):
         return cast(Tensor, together(x, plus))
-    y = torch.relu(norm(x))
+    return summed(torch.relu(norm(x)), plus)
+
+
+def summed(y: Tensor, plus: Tensor | None) -> Tensor:
+    """``plus + y``, or ``y`` where there is nothing to add."""
     return y if plus is None else plus + y
 
 

@@ -11,6 +11,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from macram.kept import kept
+
 SOURCES = Path(__file__).parent
 COMMAND = (
     *("g++", "-std=c++17", "-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math"),
@@ -21,20 +23,12 @@ PATIENCE = 120
 """Seconds for the compiler, which needs about two."""
 
 
-def cache_folder() -> Path:
-    """``$MACRAM_BUILD_DIR/native``, else ``macram/native`` in ``$XDG_CACHE_HOME``, else in ``~/.cache``."""
-    if chosen := os.environ.get("MACRAM_BUILD_DIR"):
-        return (Path(chosen) / "native").resolve()
-    cache = Path(os.environ.get("XDG_CACHE_HOME", ""))
-    return (cache if cache.is_absolute() else Path.home() / ".cache") / "macram" / "native"
-
-
 @functools.cache
 def library(name: str) -> ctypes.CDLL | None:
     """``name.cpp`` compiled; None where there is no compiler that can do it, or no folder to keep the result."""
     try:
         source = SOURCES / f"{name}.cpp"
-        path = cache_folder() / f"{name}-{_key(source)}.so"
+        path = kept("native") / f"{name}-{_key(source)}.so"
         if path.is_file():
             try:
                 return ctypes.CDLL(str(path))

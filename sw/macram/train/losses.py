@@ -14,7 +14,7 @@ import torch
 from torch import Tensor
 from torch.nn import functional
 
-from macram.train.targets import BACKGROUND, MISSED, POSITIVE
+from macram.train.targets import BACKGROUND, MISSED, POSITIVE, sight
 
 FOCAL_GAMMA = 2
 FOCAL_ALPHA = 0.25
@@ -93,20 +93,7 @@ def object_space_loss(
             "pixels must be [M, K, 2] and points [M, K, 3], "
             f"not {list(pixels.shape)} and {list(points.shape)}"
         )
-    homogeneous = functional.pad(pixels.float(), (0, 1), value=1.0)
-    return ray_loss(homogeneous @ torch.linalg.inv(intrinsics.float()).mT, points, diameter, scale)
-
-
-def ray_loss(rays: Tensor, points: Tensor, diameter: Tensor | float, scale: float = POSE_SCALE) -> Tensor:
-    """`object_space_loss` of lines of sight.
-
-    Args:
-        rays: ``[M, K, 3]``, direction in which each keypoint is predicted, of any length.
-        points: see `object_space_loss`, as the others.
-        diameter: one, or ``[M]``.
-        scale: see `POSE_SCALE`.
-    """
-    rays, points = rays.float(), points.float()
+    rays, points = sight(pixels.float(), intrinsics.float()[..., None, :, :]), points.float()
     foot = rays * ((rays * points).sum(-1, keepdim=True) / (rays * rays).sum(-1, keepdim=True))
     unit = scale / (diameter.float().reshape(-1, 1, 1) if isinstance(diameter, Tensor) else diameter)
     cost = functional.smooth_l1_loss(foot * unit, points * unit, reduction="none", beta=1.0) / scale

@@ -21,9 +21,8 @@ class NarrowConv2d(nn.Conv2d):
             return super().forward(input)
         n, c, h, w = input.shape
         kernel, padding = (cast(tuple[int, int], size) for size in (self.kernel_size, self.padding))
-        taps = (
-            self.weight[0].reshape(c, -1).flip(1).mT
-        )  # [taps, C]; flipped, as pixels give what outputs take
+        # [taps, C]; flipped, as pixels give what outputs take.
+        taps = self.weight[0].reshape(c, -1).flip(1).mT
         shares = taps @ input.permute(0, 2, 3, 1).reshape(n, h * w, c).mT  # [N, taps, H W]
         y = functional.fold(shares, (h, w), kernel, padding=padding)
         return y if self.bias is None else y + self.bias

@@ -15,6 +15,7 @@ import torch
 from torch import Tensor, nn
 from torch.autograd.function import once_differentiable
 
+from macram.model.backbone import summed
 from macram.train.compiled import library
 from macram.train.distributed import follow_statistics
 from macram.train.few_channels import WideBatchNorm2d
@@ -84,8 +85,7 @@ class RectifyingBatchNorm2d(WideBatchNorm2d):
             self.training and count > 1 and input.dtype in KERNELS and self.weight.dtype == torch.float32
         )
         if not possible or (plus is not None and (plus.shape, plus.dtype) != (input.shape, input.dtype)):
-            y = torch.relu(self(input))
-            return y if plus is None else plus + y
+            return summed(torch.relu(self(input)), plus)
         result, mean, variance = _NormRelu.apply(  # type: ignore[no-untyped-call]
             input, plus, self.weight, self.bias, self.eps
         )

@@ -6,7 +6,7 @@ rows and leaves a partial sum; results do not depend on the order in which the G
 
 from __future__ import annotations
 
-from typing import Any, cast
+from typing import Any
 
 import torch
 import triton
@@ -14,6 +14,7 @@ import triton.language as tl
 from torch import Tensor, nn
 from torch.autograd.function import once_differentiable
 
+from macram.model.backbone import summed
 from macram.train.distributed import follow_statistics
 
 TILE = 4096
@@ -99,11 +100,10 @@ class RectifyingBatchNorm2d(nn.BatchNorm2d):
         """``relu(self(input)) + plus``, ``[N, C, H, W]``: normalised and rectified in one go while training."""
         count = input.numel() // input.shape[1]
         if not self.training or count == 1:  # one value has no variance: PyTorch's layer says so
-            y = torch.relu(self(input))
-            return y if plus is None else plus + y
+            return summed(torch.relu(self(input)), plus)
         y, mean, variance = _NormRelu.apply(input, self.weight, self.bias, self.eps)  # type: ignore[no-untyped-call]
         follow_statistics(self, mean, variance, count)
-        return cast(Tensor, y) if plus is None else plus + y
+        return summed(y, plus)
 
 
 def fuse_batch_norm(module: nn.Module) -> None:

@@ -12,8 +12,8 @@ import torch
 from torch import Tensor
 
 from macram.model import Prediction, TrainingOutput
-from macram.train.losses import LossWeights, focal_loss, ray_loss, similarity_loss, surface_loss
-from macram.train.targets import BACKGROUND, IGNORED, MISSED, POSITIVE, QUOTA, entry_faces
+from macram.train.losses import LossWeights, focal_loss, object_space_loss, similarity_loss, surface_loss
+from macram.train.targets import BACKGROUND, IGNORED, MISSED, POSITIVE, QUOTA, surface_targets
 from macram.train.warp import Batch, Cells
 
 SLOTS = QUOTA + 2
@@ -65,9 +65,13 @@ class Objective:
         pixels = self._pixels(predictions, slots, cells)
         pixels = torch.where(valid[:, :, None, None], pixels, batch.pixels[:, None])
         scale = PER_IMAGES / images
-        rays = sight(pixels, batch.camera[:, None, None])
-        points = batch.points[:, None].expand(-1, SLOTS, -1, -1)
-        pose = ray_loss(rays.flatten(0, 1), points.flatten(0, 1), self.diameter, self.weights.pose_scale)
+        pose = object_space_loss(
+            pixels.flatten(0, 1),
+            _per_slot(batch.points),
+            _per_slot(batch.camera),
+            self.diameter,
+            self.weights.pose_scale,
+        )
         losses = {
             "class": self.weights.classes * scale * focal_loss(logits, labels),
             "pose": self.weights.pose * scale * pose,
@@ -105,10 +109,14 @@ class Objective:
         return pixels
 
     def _surface_targets(self, batch: Batch, slots: Tensor, cells: Cells) -> tuple[Tensor, Tensor]:
-        rays = sight(cells.centres[slots], batch.camera[:, None]).flatten(0, 1)
-        rotation = batch.rotation[:, None].expand(-1, SLOTS, -1, -1).flatten(0, 1)
-        translation = batch.translation[:, None].expand(-1, SLOTS, -1).flatten(0, 1)
-        return entry_faces(rays, rotation, translation, self.low, self.high)
+        return surface_targets(
+            cells.centres[slots].flatten(0, 1),
+            _per_slot(batch.rotation),
+            _per_slot(batch.translation),
+            _per_slot(batch.camera),
+            self.low,
+            self.high,
+        )
 
 
 def positive_slots(labels: Tensor) -> tuple[Tensor, Tensor]:
@@ -117,11 +125,6 @@ def positive_slots(labels: Tensor) -> tuple[Tensor, Tensor]:
     return order.indices[:, :SLOTS], order.values[:, :SLOTS] > 0
 
 
-def sight(pixels: Tensor, camera: Tensor) -> Tensor:
-    """Pixels ``[..., 2]`` -> rays ``[..., 3]`` to the plane at depth 1; cameras ``[..., 3, 3]`` broadcast.
-
-    By hand, as camera matrices are triangular: inverting each one would stop the GPU.
-    """
-    y = (pixels[..., 1] - camera[..., 1, 2]) / camera[..., 1, 1]
-    x = (pixels[..., 0] - camera[..., 0, 2] - camera[..., 0, 1] * y) / camera[..., 0, 0]
-    return torch.stack((x, y, torch.ones_like(x)), dim=-1)
+def _per_slot(values: Tensor) -> Tensor:
+    """``[B, ...]`` -> ``[B * SLOTS, ...]``: each picture's value for each of its slots."""
+    return values[:, None].expand(-1, SLOTS, *values.shape[1:]).flatten(0, 1)

@@ -15,6 +15,9 @@ from macram.pose.warp import BORDER
 from macram.train.compiled import library
 from macram.train.views import Views
 
+MEAN, DEVIATION = (255 * torch.tensor(value) for value in (IMAGENET_MEAN, IMAGENET_STD))
+"""Of ImageNet's colours, grey levels, ``[3]``: what pictures are normalised by."""
+
 
 def pictures_compiled() -> bool:
     """Whether `draw_pictures` and `seen_mask` can be used here."""
@@ -33,13 +36,12 @@ def draw_pictures(pixels: NDArray[np.uint8], views: Views, bank: Tensor, stride:
     """
     assert image.is_contiguous(memory_format=torch.channels_last)
     count, _, rows, columns = image.shape
-    constants = [torch.tensor(value).mul(255) for value in (IMAGENET_MEAN, IMAGENET_STD)]
     _call(
         "pictures",
         *(count, rows, columns, ctypes.c_int(torch.get_num_threads())),
         *_frames(pixels, views),
         *(_places(views), views.tone.astype(np.float32), bank, views.noise * stride, float(BORDER)),
-        *(*constants, image),
+        *(MEAN, DEVIATION, image),
     )
 
 

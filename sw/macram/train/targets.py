@@ -86,6 +86,16 @@ def draw_batch_labels(
     return tuple(torch.stack(level)[:, None] for level in zip(*pictures, strict=True))
 
 
+def sight(pixels: Tensor, camera: Tensor) -> Tensor:
+    """Pixels ``[..., 2]`` -> rays ``[..., 3]`` to the plane at depth 1; cameras ``[..., 3, 3]`` broadcast.
+
+    By hand, as camera matrices are triangular: inverting each one would stop the GPU.
+    """
+    y = (pixels[..., 1] - camera[..., 1, 2]) / camera[..., 1, 1]
+    x = (pixels[..., 0] - camera[..., 0, 2] - camera[..., 0, 1] * y) / camera[..., 0, 0]
+    return torch.stack((x, y, torch.ones_like(x)), dim=-1)
+
+
 def surface_targets(
     pixels: Tensor, rotation: Tensor, translation: Tensor, intrinsics: Tensor, low: Tensor, high: Tensor
 ) -> tuple[Tensor, Tensor]:
@@ -104,16 +114,7 @@ def surface_targets(
         misses the box in front of the camera; and ``[M, 3]`` entry points in half extents from the centre,
         -1..1, zero where missed.
     """
-    homogeneous = torch.nn.functional.pad(pixels, (0, 1), value=1.0)
-    rays = (torch.linalg.inv(intrinsics) @ homogeneous[..., None]).squeeze(-1)
-    return entry_faces(rays, rotation, translation, low, high)
-
-
-def entry_faces(
-    rays: Tensor, rotation: Tensor, translation: Tensor, low: Tensor, high: Tensor
-) -> tuple[Tensor, Tensor]:
-    """`surface_targets` of rays from the camera, ``[M, 3]`` of any length; the rest as there."""
-    direction = (rotation.mT @ rays[..., None]).squeeze(-1)
+    direction = (rotation.mT @ sight(pixels, intrinsics)[..., None]).squeeze(-1)
     origin = -(rotation.mT @ translation[..., None]).squeeze(-1).expand_as(direction)
     # A ray along a face divides by zero; the infinities that result compare as they should.
     to_low, to_high = (low - origin) / direction, (high - origin) / direction

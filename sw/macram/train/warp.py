@@ -11,12 +11,11 @@ from torch import Tensor
 from torch.nn import functional
 
 from macram.data.erase import GROWTH
-from macram.front.image import IMAGENET_MEAN, IMAGENET_STD
 from macram.model import Levels
 from macram.model.anchors import cell_centres, map_sizes
 from macram.pose.warp import BORDER
 from macram.train.pack import PART, PackedFrames
-from macram.train.pictures import draw_pictures, pictures_compiled, seen_mask
+from macram.train.pictures import DEVIATION, MEAN, draw_pictures, pictures_compiled, seen_mask
 from macram.train.views import Views
 
 NOISE_BANK = 1 << 22
@@ -97,8 +96,7 @@ class Warper:
         self.in_one_pass = device.type == "cpu" and not counterfactual and pictures_compiled()
         bank = torch.randn(NOISE_BANK, generator=torch.Generator().manual_seed(seed))
         self.bank = bank.to(device)
-        self.mean = 255 * torch.tensor(IMAGENET_MEAN, device=device).reshape(3, 1, 1)
-        self.std = 255 * torch.tensor(IMAGENET_STD, device=device).reshape(3, 1, 1)
+        self.mean, self.deviation = (value.to(device).reshape(3, 1, 1) for value in (MEAN, DEVIATION))
         height, width = frames.size
         self.scale = torch.tensor([2 / width, 2 / height], device=device)
         self.resident = None
@@ -209,7 +207,7 @@ class Warper:
 
     def _normalised(self, image: Tensor) -> Tensor:
         """0..255 -> ImageNet's mean 0 and deviation 1, channels last."""
-        return (image - self.mean).div_(self.std).contiguous(memory_format=torch.channels_last)
+        return (image - self.mean).div_(self.deviation).contiguous(memory_format=torch.channels_last)
 
 
 def _moved(array: NDArray[np.uint8], device: torch.device) -> Tensor:

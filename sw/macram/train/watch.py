@@ -33,9 +33,8 @@ class Watch:
         """
         values = torch.stack((loss.detach().float(), norm.detach().float()))
         new = ~torch.isfinite(values).all() & (self._step == 0)
-        self._step = (
-            self._step + new * step
-        )  # torch.where would copy the number, and the GPU would wait for it
+        # torch.where would copy the number, and the GPU would wait for it.
+        self._step = self._step + new * step
         self._values = torch.where(new, values, self._values)
         if self.free:
             self.check()
