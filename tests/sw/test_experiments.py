@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from pathlib import Path
 from types import SimpleNamespace
@@ -13,6 +14,9 @@ from train_scene import write_scene
 
 from macram.cli import main
 from macram.data.recipe import read_recipe
+from macram.data.render.cubesat import DIAMETER_MM, SIZE_MM
+from macram.data.render.plan import plan_sequence
+from macram.data.render.sequence import View
 from macram.experiments import refined as refined_module
 from macram.experiments import run as run_module
 from macram.experiments.page import page
@@ -21,6 +25,7 @@ from macram.experiments.run import run_job
 from macram.experiments.statistics import Frames, difference, limits, read_frames, share, share_interval
 from macram.pose import EdgeSettings, LookSettings, PoseSettings
 from macram.train.config import load_config
+from macram.train.record import train_command
 
 ROOT = Path(__file__).resolve().parents[2]
 TINY = """
@@ -253,6 +258,36 @@ def test_the_recipe_is_the_mini_tier_with_backgrounds():
     assert read_recipe(ROOT / "configs/cubesat1u-v1.toml").spec == mini
     longer = read_recipe(ROOT / "configs/cubesat1u-v1-20k.toml").spec
     assert longer == replace(mini, sequences=(1000, *mini.sequences[1:]))
+
+
+@pytest.mark.parametrize("name", ["cubesat1u-v1", "cubesat1u-v1-20k"])
+def test_the_hash_of_a_recipe_is_that_of_its_plans(name):
+    """Without rendering: poses are decided before."""
+    recipe = read_recipe(ROOT / f"configs/{name}.toml")
+    spec, digest = recipe.spec, hashlib.sha256()
+    view, depth = View(*spec.size, spec.focal), (spec.depth[0] * DIAMETER_MM, spec.depth[1] * DIAMETER_MM)
+    for split, count in enumerate(spec.sequences):
+        for sequence in range(count):
+            seed = (spec.seed, split, sequence)
+            plan = plan_sequence(seed, spec.frames, view, depth, float(SIZE_MM.max()))
+            lines = [
+                f' "{n}": '
+                + json.dumps([{"cam_R_m2c": R.ravel().tolist(), "cam_t_m2c": t.tolist(), "obj_id": 1}])
+                for n, (R, t) in enumerate(zip(plan.rotations, plan.translations, strict=True))
+            ]
+            digest.update(("{\n" + ",\n".join(lines) + "\n}\n").encode())
+    assert digest.hexdigest() == recipe.poses_sha256
+
+
+def test_a_command_names_data_of_the_repository_and_none_of_a_machine():
+    path = ROOT / "configs/train-quarter-wdr.toml"
+    for root, wanted in (
+        ("build/data/mini", False),
+        ("build/data/other", True),
+        ("/data/other", False),
+    ):
+        config = load_config(path, {"data.root": root}).to_dict()
+        assert (f"--set data.root={root}" in train_command(path, config)) is wanted
 
 
 def test_paper_front_configurations_load():
