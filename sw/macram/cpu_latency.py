@@ -29,6 +29,8 @@ def measure_cpu(repeat: int) -> list[dict[str, Any]]:
         import torch  # noqa: PLC0415
     except ModuleNotFoundError:
         return []
+    from threadpoolctl import threadpool_limits  # noqa: PLC0415
+
     from macram.golden import conv2d  # noqa: PLC0415
 
     rng = np.random.default_rng(0)
@@ -50,7 +52,8 @@ def measure_cpu(repeat: int) -> list[dict[str, Any]]:
             )
             if quantised := _int8(torch, image, kernel):
                 rows.append(_row("PyTorch int8", threads, repeat, quantised))
-    rows.append(_row("golden model (NumPy)", every, repeat, lambda: conv2d(codes, weights)))
+        with threadpool_limits(threads):
+            rows.append(_row("golden model (NumPy)", threads, repeat, lambda: conv2d(codes, weights)))
     return rows
 
 

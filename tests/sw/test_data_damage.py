@@ -177,3 +177,9 @@ def test_a_list_that_is_no_text(swisscube):
     (swisscube / "training.txt").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(ValueError, match=r"training\.txt: not a text file"):
         open_dataset(swisscube).frames("training")
+
+
+def test_a_digit_that_is_no_decimal_is_one_clear_line(swisscube):
+    write(swisscube / SEQUENCE / "scene_gt.json", {"²": [POSE]})
+    with pytest.raises(ValueError, match=r"scene_gt.json: expected an object whose keys are numbers"):
+        list(open_dataset(swisscube).frames("training"))

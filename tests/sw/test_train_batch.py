@@ -383,3 +383,17 @@ def test_perfect_predictions_cost_nothing(frames):
     assert float(losses["pose"]) < 1e-6
     assert float(losses["class"]) < 1e-6
     assert isinstance(batch, Batch)
+
+
+@pytest.mark.parametrize(
+    ("part", "name"), [("mask_visib", "000003_000000.png"), ("background", "000003.jpg")]
+)
+def test_a_picture_of_another_size_beside_the_frame_is_named(part, name, tmp_path):
+    folder = write_scene(tmp_path / "scene") / "training/seq_000000/000000" / part
+    cv2.imwrite(str(folder / name), np.zeros((32, 32, 3), np.uint8))
+    settings = DataSettings(
+        str(tmp_path / "scene"), cache=str(tmp_path / "cache"), counterfactual="background"
+    )
+    with pytest.raises(ValueError, match=f"{name}: 32x32 pixels, but others have 64x64"):
+        pack_frames(settings, "training", filled=True)
+    assert not any((tmp_path / "cache").iterdir())

@@ -25,7 +25,7 @@ FARTHEST = 16.0
 EXAMPLES = """\
 examples:
   macram predict photo.png -o build/poses --weights build/runs/quarter-wdr/model.safetensors --focal 620
-  macram predict build/data/mini/testing/seq_*/000000/rgb/*.png -o build/poses --weights model.safetensors
+  macram predict build/data/mini/testing/seq_*/000000/rgb/*.jpg -o build/poses --weights model.safetensors
   macram predict photo.png -o build/poses --weights quarter-float --looks 4 --edges 0.993
 """
 
@@ -113,7 +113,7 @@ def _camera(
 
     height, width = image.shape[:2]
     scene = path.resolve().parent.parent / "scene_camera.json"
-    if focal is None and scene.is_file() and path.stem.isdigit():
+    if focal is None and scene.is_file() and path.stem.isdecimal():
         cameras = read_cameras(scene)
         if int(path.stem) in cameras:
             return _within(path, cameras[int(path.stem)], trained)

@@ -132,7 +132,7 @@ class SwissCube:
             if not line.strip():
                 continue
             image = self.root / line.strip()
-            if image.parent.name != "rgb" or not image.stem.isdigit():
+            if image.parent.name != "rgb" or not image.stem.isdecimal():
                 raise ValueError(f"{path}: line {number} is {line.strip()!r}, not SEQUENCE/rgb/NUMBER.jpg")
             folder = image.parents[1]
             if scene is None or scene.folder != folder:
@@ -247,7 +247,7 @@ def _names(folder: Path) -> frozenset[str]:
 
 def _by_number(table: Any, path: Path) -> dict[int, Any]:
     """Keys ``"12"`` and ``"000012"`` alike -> 12."""
-    if not isinstance(table, dict) or not all(key.isdigit() for key in table):
+    if not isinstance(table, dict) or not all(key.isdecimal() for key in table):
         raise ValueError(f"{path}: expected an object whose keys are numbers")
     return {int(key): value for key, value in table.items()}
 

@@ -158,15 +158,17 @@ def _write(folder: Path, frames: Sequence[Frame], fill: str, positives: str, tol
         def decode(index: int) -> None:
             frame = frames[index]
             image, mask = frame.read_image(), frame.read_mask()
-            if image.shape[:2] != (height, width):
-                raise ValueError(
-                    f"{frame.image}: {image.shape[1]}x{image.shape[0]} pixels, but others have {width}x{height}"
-                )
+            without = frame.read_background() if fill == "background" else None
+            for path, picture in ((frame.image, image), (frame.mask, mask), (frame.background, without)):
+                if picture is not None and picture.shape[:2] != (height, width):
+                    raise ValueError(
+                        f"{path}: {picture.shape[1]}x{picture.shape[0]} pixels, but others have {width}x{height}"
+                    )
             body = mask & _hull(frame, mask.shape) if positives == "hull" else mask
             pixels[index, ..., :3] = image
             pixels[index, ..., 3] = np.where(body, BODY, np.where(mask, PART, 0))
             if filled is not None:
-                filled[index] = frame.read_background() if fill == "background" else _inpainted(image, mask)
+                filled[index] = _inpainted(image, mask) if without is None else without
             y, x = np.nonzero(mask)
             counts[index] = len(x)
             if len(x):
