@@ -16,6 +16,15 @@ def kept(name: str) -> Path:
     """
     if chosen := os.environ.get("MACRAM_BUILD_DIR"):
         return (Path(chosen) / name).resolve()
-    cache = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    return cache() / name
+
+
+def cache() -> Path:
+    """``macram`` in ``$XDG_CACHE_HOME``, else in ``~/.cache``.
+
+    Raises:
+        RuntimeError: the variable does not say where, and nobody's home is known.
+    """
+    chosen = Path(os.environ.get("XDG_CACHE_HOME", ""))
     # The XDG specification says that a relative path is to be ignored.
-    return (cache if cache.is_absolute() else Path.home() / ".cache") / "macram" / name
+    return (chosen if chosen.is_absolute() else Path.home() / ".cache") / "macram"

@@ -183,3 +183,10 @@ def test_a_digit_that_is_no_decimal_is_one_clear_line(swisscube):
     write(swisscube / SEQUENCE / "scene_gt.json", {"²": [POSE]})
     with pytest.raises(ValueError, match=r"scene_gt.json: expected an object whose keys are numbers"):
         list(open_dataset(swisscube).frames("training"))
+
+
+def test_json_nested_too_deep_is_one_line(tmp_path):
+    path = tmp_path / "deep.json"
+    path.write_text(200_000 * "[")
+    with pytest.raises(ValueError, match=r"deep\.json: .*nested too deep"):
+        read_json(path)

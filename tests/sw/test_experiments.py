@@ -25,6 +25,7 @@ from macram.experiments.run import run_job
 from macram.experiments.statistics import Frames, difference, limits, read_frames, share, share_interval
 from macram.pose import EdgeSettings, LookSettings, PoseSettings
 from macram.train.config import load_config
+from macram.train.learned import REFINED
 from macram.train.record import train_command
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -157,6 +158,18 @@ def test_a_row_is_refined_before_it_is_finished_and_can_be_refined_later(plan, t
     assert main([*command, str(first.folder(runs))]) == 0
     assert written == [(folder / name).read_bytes() for name in ("refined.json", "refined.csv")]
 
+    listing = ["experiments", "list", *command[3:], "--runs", str(runs)]
+    (folder / "refined.json").write_text(json.dumps({**table, "settings": {}}))
+    capsys.readouterr()
+    assert main([*listing, "--json"]) == 0
+    row = json.loads(capsys.readouterr().out)[0]
+    assert row["state"] == "finished"
+    assert "refined_add_0.1" not in row
+    assert "meant other settings then than now; macram experiments refine first RUN" in row["refined_error"]
+    assert main(listing) == 0
+    assert "refine" in capsys.readouterr().out
+    (folder / "refined.json").write_bytes(written[0])
+
     run_module.train_job(other, runs, Console(quiet=True))
     assert main([*command, str(other.folder(runs))]) == 2
     assert "is another network than the record first.s1 has" in capsys.readouterr().err
@@ -210,6 +223,26 @@ def test_a_broken_plan_is_one_line(plan, old, new, message, tmp_path):
     assert "\n" not in str(error.value)
 
 
+def test_seeds_continue_the_only_one_there_is(plan, tmp_path):
+    path = tmp_path / "plan.toml"
+    path.write_text(
+        path.read_text().replace("seeds = [1, 2]", "seeds = [7]").replace("seeds = [1]\n", "seeds = [1, 7]\n")
+    )
+    first, one, seven = read_plan(path).jobs()
+    assert first.before() is None
+    assert [job.before().key for job in (one, seven)] == ["first.s7", "first.s7"]
+    assert one.config(tmp_path).run.init == str(tmp_path / "first.s7" / "model.safetensors")
+    assert one.config(tmp_path).run.seed == 1
+
+
+def test_a_seed_the_plan_does_not_have_continues_no_other(plan):
+    assert plan.job("second", 7).before().key == "first.s7"
+
+
+def test_the_demo_finds_poses_as_refined_scores_do():
+    assert read_plan(ROOT / "configs/experiments.toml").refined.settings == REFINED
+
+
 # ---- the repository's own plan and page ----------------------------------------------------------------
 
 
@@ -247,6 +280,30 @@ def test_the_box_of_refined_scores_is_the_one_measured_on_training_frames():
     assert plan.refined.edges == measured["edge_box"]
     name = f"{plan.refined.looks} looks, edges"
     assert any((row["name"], row["split"]) == (name, "validation") for row in measured["rows"])
+
+
+def test_the_readme_has_the_records_figures():
+    results = ROOT / "results"
+    tried = json.loads((results / "inference-quarter-w3a3-integers.json").read_text())["rows"]
+    integers = {row["options"]: row["add"] for row in tried}
+    refined = read_plan(ROOT / "configs/experiments.toml").refined.options
+    single = json.loads((results / "quarter-wdr.s2022/result.json").read_text())
+    float_refined = json.loads((results / "quarter-wdr.s2022/refined.json").read_text())
+    looks, look, both, one = (
+        f"{add['0.1']} % and {add['0.2']} %"
+        for add in (
+            integers["--looks 4 --edges BOX"],
+            integers["(default)"],
+            float_refined["ranges"]["all"]["add"],
+            single["ranges"]["all"]["add"],
+        )
+    )
+    text = " ".join((ROOT / "README.md").read_text().split())
+    assert (
+        looks.replace("%", "% a pose within 0.1 diameters (ADD)", 1)
+        + f" within 0.2 with `{refined}`, {look} by a "
+        f"single look; the float network it comes from {both}, and {one}"
+    ) in text
 
 
 def test_the_recipe_is_the_mini_tier_with_backgrounds():

@@ -12,6 +12,7 @@ from train_scene import CORNERS, DIAMETER, write_scene
 
 from macram.data.open import open_dataset
 from macram.experiments import inference
+from macram.experiments import tried as module_tried
 from macram.experiments.finished import finished
 from macram.experiments.inference import ALL, Try, edge_box, tries_file, try_all
 from macram.experiments.integers import record_integers
@@ -60,6 +61,9 @@ def test_every_setting_is_scored_once(scene, model, tmp_path, monkeypatch):
     # The remembered network's time counts again.
     assert all(row["seconds"] > 0 for row in record["rows"])
 
+    with pytest.raises(ValueError, match=r"inference-net\.json: 'single' meant other settings then"):
+        tried(out.parent, ())
+    monkeypatch.setattr(module_tried, "ALL", TRIES)
     text = "\n".join(tried(out.parent, {record["model_sha256"]}))
     assert "| edges | `--edges BOX` |" in text
     assert "on the test split, 4 frames, `net`, float32" in text
@@ -72,6 +76,28 @@ def test_every_setting_is_scored_once(scene, model, tmp_path, monkeypatch):
     try_all(model, scene, out, tries=TRIES)
     assert not scored
     assert json.loads(out.read_text()) == record
+    other = replace(TRIES[1], settings=PoseSettings(edges=EdgeSettings(hold=0.2)))
+    try_all(model, scene, out, tries=(TRIES[0], other))
+    rows = json.loads(out.read_text())["rows"]
+    assert len(scored) == 1
+    assert [row["name"] for row in rows] == ["single", "edges", "single"]
+    assert rows[1]["settings"]["edges"]["hold"] == 0.2
+    assert rows[0] == record["rows"][0]
+    assert rows[1]["options"] == "--edges BOX"
+    with pytest.raises(ValueError, match="'edges' meant other settings then"):
+        tried(out.parent, ())
+    scored.clear()
+    relabelled = (replace(TRIES[0], options="--new"), other)
+    monkeypatch.setattr(inference, "MEASURING", EdgeSettings(nearer=0.99))
+    boxes = iter([0.9])
+    monkeypatch.setattr(inference, "edge_box", lambda frames: next(boxes))
+    try_all(model, scene, out, tries=relabelled)
+    again = json.loads(out.read_text())
+    assert len(scored) == 1  # the edges alone, on the box that is measured otherwise
+    assert [row["options"] for row in again["rows"]] == ["--new", "--edges BOX", "--new"]
+    assert again["rows"][1]["settings"]["edges"]["box"] == again["edge_box"] == 0.9
+    scored.clear()
+    boxes = iter([1.0])
     try_all(model, scene, out, tries=TRIES[:1], limit=2)
     assert len(scored) == 2
     assert [row["frames"] for row in json.loads(out.read_text())["rows"]] == [2, 2]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from macram.pose import EdgeSettings, Pose, box_corners, project, re, refine_on_edges
-from macram.pose.edges import visible_edges
+from macram.pose.edges import _search, visible_edges
 from macram.pose.robust import moved, projected, robust_pose
 
 K = np.array([[300.0, 0.0, 128.0], [0.0, 290.0, 120.0], [0.0, 0.0, 1.0]])
@@ -21,6 +21,7 @@ def turned(vector):
 
 
 TRUE = Pose(turned([0.5, -0.6, 0.3]), np.array([15.0, -10.0, 700.0]))
+FACING = Pose(np.eye(3), np.array([0.0, 0.0, 250.0]))
 
 
 def painted(pose, box=BOX, size=(256, 256)):
@@ -58,6 +59,40 @@ def test_a_smaller_box_of_edges_is_farther_away_without_saying_so():
     assert depth_error(refine_on_edges(picture, off(), K, BOX, EdgeSettings(box=0.95))) < 0.006
 
 
+def test_the_outline_is_preferred_to_stronger_steps_inside():
+    """A bright panel on the nearest side, whose rim is a stronger step than the side's own, a little inside."""
+    panel = painted(FACING) // 2
+    corners = project(K, FACING.R, FACING.t, 0.92 * BOX[SIDES[4]] + 0.08 * BOX[SIDES[4]].mean(axis=0))
+    cv2.fillConvexPoly(panel, np.rint(corners).astype(np.int32), (140, 140, 140))
+    start = Pose(FACING.R, 1.03 * FACING.t)
+    depths = [
+        refine_on_edges(panel, start, K, BOX, EdgeSettings(nearer=1.0, outward=outward)).t[2, 0]
+        for outward in (0.0, EdgeSettings().outward)
+    ]
+    assert depths[0] > 1.05 * FACING.t[2, 0]
+    assert depths[1] == pytest.approx(FACING.t[2, 0], rel=0.004)
+
+
+def test_steps_of_the_outline_alone_are_preferred_farther_out():
+    """In noise there is a step at every place."""
+    noise = np.random.default_rng(1).uniform(0, 255, (256, 256, 3)).astype(np.float32)
+    R, t, settings = TRUE.R, TRUE.t[:, 0], EdgeSettings()
+    plain, pushed = (_search((noise, noise), K, R, t, BOX, 8.0, o, settings) for o in (0.0, 2.0))
+    outline = np.repeat(list(visible_edges(R, t, BOX).values()), settings.points)
+    assert np.array_equal(plain.place[~outline], pushed.place[~outline])
+    moved_by = (pushed.place - plain.place)[outline][:, None] * plain.normals[outline]
+    away = (project(K, TRUE.R, TRUE.t, plain.points) - project(K, TRUE.R, TRUE.t, BOX).mean(axis=0))[outline]
+    outwards = (moved_by * away).sum(axis=1)
+    assert (outwards >= 0).all()
+    assert (outwards > 0).mean() > 0.5
+
+
+def test_the_last_round_prefers_nothing():
+    picture, settings = painted(TRUE), [EdgeSettings(reach=(0.03,), outward=o) for o in (0.0, 2.0)]
+    one, other = (refine_on_edges(picture, off(1.01), K, BOX, s) for s in settings)
+    assert np.array_equal(one.t, other.t)
+
+
 def test_without_edges_the_pose_stays():
     start = off()
     found = refine_on_edges(np.full((256, 256, 3), 90, np.uint8), start, K, BOX, EdgeSettings(nearer=1.0))
@@ -83,6 +118,9 @@ def test_visible_edges_by_how_many_sides_face_the_camera():
     assert len(visible_edges(np.eye(3), far, BOX)) == 4
     assert len(visible_edges(turned([0.6, 0, 0]), far, BOX)) == 7
     nine = visible_edges(TRUE.R, TRUE.t[:, 0], BOX)
+    assert list(nine.values()).count(True) == 6
+    nearest = int(np.argmin((BOX @ TRUE.R.T)[:, 2]))
+    assert {edge for edge, outline in nine.items() if not outline} == {e for e in nine if nearest in e}
     hidden = int(np.argmax((BOX @ TRUE.R.T)[:, 2]))
     assert len(nine) == 9
     assert not any(hidden in edge for edge in nine)
@@ -90,7 +128,12 @@ def test_visible_edges_by_how_many_sides_face_the_camera():
 
 @pytest.mark.parametrize(
     ("values", "name"),
-    [({"box": 0.0}, "box"), ({"nearer": float("nan")}, "nearer"), ({"reach": ()}, "reach")],
+    [
+        ({"box": 0.0}, "box"),
+        ({"nearer": float("nan")}, "nearer"),
+        ({"reach": ()}, "reach"),
+        ({"outward": -0.1}, "outward"),
+    ],
 )
 def test_settings_out_of_range(values, name):
     with pytest.raises(ValueError, match=name):

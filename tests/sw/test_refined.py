@@ -11,7 +11,7 @@ from train_scene import CORNERS, DIAMETER, write_scene
 
 from macram.data.geometry import BUCKETS
 from macram.data.open import open_dataset
-from macram.experiments import beside, sections
+from macram.experiments import beside, sections, seeds
 from macram.experiments.finished import finished
 from macram.experiments.plan import Plan, Refined, Row, Source
 from macram.experiments.run import read_evaluation
@@ -106,7 +106,8 @@ def write(folder, name, frames, add, **fields):
     folder.mkdir(exist_ok=True)
     (folder / frames).write_text(frames_csv(add))
     ranges = {"all": {"add": shares(add)}}
-    table = {"model_sha256": "abc", "options": REFINED.options, "ranges": ranges, **fields}
+    about = {"model_sha256": "abc", "options": REFINED.options, "settings": REFINED.settings.to_dict()}
+    table = {**about, "ranges": ranges, **fields}
     (folder / name).write_text(json.dumps(table))
 
 
@@ -173,17 +174,72 @@ def test_a_quantised_row_loses_against_the_float_row_of_its_seed(tmp_path):
     assert "| W3 | 0.00 | 25.00 | 0.00 | 25.00 | 100.00 | 100.00 | -25.0 (" in text
 
 
-def test_seeds_spread_over_those_that_have_both(tmp_path):
+def write_seeds(results, name, single, refined=None):
+    """Records of as many seeds as there are lists of errors."""
+    for seed, add in enumerate(single, 1):
+        write(results / f"{name}.s{seed}", "result.json", "frames.csv", add, images=1200)
+    for seed, add in enumerate(refined or [], 1):
+        write(results / f"{name}.s{seed}", "refined.json", "refined.csv", add)
+
+
+def test_seeds_have_a_mean_and_a_spread(tmp_path):
     plan = rows(tmp_path, {"eighth": ("seeds", "", (1, 2, 3)), "other": ("seeds", "", (1,))})
-    for seed, add in ((1, [0.05] * 4), (2, [0.05, 0.05, 0.3, 0.3]), (3, [0.7] * 4)):
-        write(tmp_path / f"eighth.s{seed}", "result.json", "frames.csv", add)
-    assert beside.seeds(plan, finished(plan, tmp_path)) == []
-    write(tmp_path / "eighth.s1", "refined.json", "refined.csv", [0.15] * 4)
-    assert "| Eighth | 1 of 3 | 100.00 | 0.00 |" in "\n".join(beside.seeds(plan, finished(plan, tmp_path)))
-    write(tmp_path / "eighth.s2", "refined.json", "refined.csv", [0.15] * 4)
-    text = "\n".join(beside.seeds(plan, finished(plan, tmp_path)))
-    assert "| Eighth | 2 of 3 | 75.00 ± 35.36 | 0.00 ± 0.00 | 75.00 ± 35.36 | 100.00 ± 0.00 |" in text
+    assert "None of `eighth`, `other` has been run" in "\n".join(seeds.section(plan, []))
+    assert seeds.section(rows(tmp_path, {}), []) == []
+    write_seeds(tmp_path, "eighth", [[0.05] * 4, [0.05, 0.05, 0.3, 0.3]], [[0.15] * 4])
+    text = "\n".join(seeds.section(plan, finished(plan, tmp_path)))
+    assert "| Eighth | 2 of 3 | 1,200 | 75.00 ± 35.36 |  | 75.00 ± 35.36 |  | 100.00 ± 0.00 |  |" in text
     assert "Other" not in text
+    write_seeds(tmp_path, "eighth", [[0.05] * 4, [0.05, 0.05, 0.3, 0.3]], [[0.15] * 4, [0.15] * 4])
+    text = "\n".join(seeds.section(plan, finished(plan, tmp_path)))
+    assert "| 75.00 ± 35.36 | 0.00 ± 0.00 | 75.00 ± 35.36 | 100.00 ± 0.00 |" in text
+    write(tmp_path / "eighth.s2", "result.json", "frames.csv", [0.05] * 4, images=98_000)
+    assert "| 1,200 to 98,000 |" in "\n".join(seeds.section(plan, finished(plan, tmp_path)))
+
+
+def quarters(*right):
+    """Errors of four frames for each number of frames that are right."""
+    return [[0.05] * n + [0.7] * (4 - n) for n in right]
+
+
+def test_rows_differ_seed_by_seed(tmp_path):
+    plan = rows(tmp_path, {
+        "first": ("questions", "", (9,)), "control": ("seeds", "first", (1, 2, 3)), "ca": ("seeds", "first", (1, 2, 3)),
+    })  # fmt: skip
+    write_seeds(tmp_path, "control", quarters(2, 3, 4))
+    write_seeds(tmp_path, "ca", quarters(1, 2, 3), quarters(1, 1, 1))
+    text = "\n".join(seeds.section(plan, finished(plan, tmp_path)))
+    assert "*Ca* less *Control*, seed by seed. All seeds continue one training of `first` (seed 9)" in text
+    assert "| 0.1d %, single | -25.0, -25.0, -25.0 | -25.00 ± 0.00 |  | seeds too alike to tell |" in text
+    assert "| 0.1d %, refined |  |  |  |  |" in text
+    write_seeds(tmp_path, "control", [[0.05] * (99 - n) + [0.7] * (1 + n) for n in range(3)])
+    write_seeds(tmp_path, "ca", [[0.05] * (60 - n) + [0.7] * (40 + n) for n in (0, 1, 3)])
+    text = "\n".join(seeds.section(plan, finished(plan, tmp_path)))
+    # differences -39, -39, -40: s = 1 / sqrt(3), 4.303 * s / sqrt(3) = 1.434
+    assert "| -39.0, -39.0, -40.0 | -39.33 ± 0.58 | -40.8 to -37.9 | worse |" in text
+    write_seeds(tmp_path, "control", quarters(2, 3, 4))
+    write_seeds(tmp_path, "ca", quarters(1, 4, 4))
+    text = "\n".join(seeds.section(plan, finished(plan, tmp_path)))
+    # t(0.975; 2) = 4.303 by the published tables: 4.303 * 25 / sqrt(3) = 62.1
+    assert (
+        "| 0.1d %, single | -25.0, +25.0, +0.0 | +0.00 ± 25.00 | -62.1 to +62.1 | no difference found |"
+        in text
+    )
+    (tmp_path / "ca.s2" / "result.json").unlink()
+    (tmp_path / "ca.s3" / "result.json").unlink()
+    text = "\n".join(seeds.section(plan, finished(plan, tmp_path)))
+    assert "| 0.1d %, single | -25.0 |  |  | one seed alone |" in text
+
+
+def test_seeds_of_two_stages_say_so(tmp_path):
+    plan = rows(tmp_path, {
+        "first": ("seeds", "", (1, 2)), "control": ("seeds", "first", (1, 2)), "ca": ("seeds", "first", (1, 2)),
+    })  # fmt: skip
+    for name in ("control", "ca"):
+        write_seeds(tmp_path, name, quarters(1, 2))
+    text = "\n".join(seeds.section(plan, finished(plan, tmp_path)))
+    assert "Every seed continues its own training of `first`." in text
+    assert text.count("less") == 1
 
 
 @pytest.mark.parametrize(
@@ -191,6 +247,7 @@ def test_seeds_spread_over_those_that_have_both(tmp_path):
     [
         ({"model_sha256": "def"}, "another network"),
         ({"options": "--looks 8 --edges 0.99"}, "the plan says --looks 4"),
+        ({"settings": {}}, "--looks 4 --edges 0.99 meant other settings then"),
     ],
 )
 def test_refined_scores_of_something_else_are_refused(fields, words, tmp_path):

@@ -17,7 +17,7 @@ from macram.pose.warp import Draw, Warp, exact_warp, warp_image, warp_mask
 from macram.train.augment import NONE, AugmentSettings
 from macram.train.losses import LossWeights, focal_loss, object_space_loss
 from macram.train.objective import PER_IMAGES, SLOTS, Objective, assign, positive_slots
-from macram.train.pack import pack_frames
+from macram.train.pack import cache_root, pack_frames
 from macram.train.settings import DataSettings
 from macram.train.targets import IGNORED, POSITIVE, cells_in_mask, sight
 from macram.train.views import _moves as moves
@@ -145,6 +145,21 @@ def test_filled_pictures(settings, kind):
     )
     far = grow(packed.pixels[0, ..., 3] > 0) == 0
     assert (packed.filled[0][far] == packed.pixels[0, ..., :3][far]).all()
+
+
+@pytest.mark.parametrize(
+    ("xdg", "cache", "folder"),
+    [
+        ("", "", "home/.cache/macram/frames"),
+        ("relative", "", "home/.cache/macram/frames"),  # as the XDG specification wants it
+        ("/xdg", "", "/xdg/macram/frames"),
+        ("/xdg", "/mine", "/mine"),
+    ],
+)
+def test_where_packed_frames_are_kept(xdg, cache, folder, tmp_path, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    monkeypatch.setenv("XDG_CACHE_HOME", xdg)
+    assert cache_root(DataSettings("data", cache=cache)) == tmp_path / folder
 
 
 def test_a_bad_picture_leaves_no_cache(tmp_path):

@@ -16,8 +16,11 @@ from train_scene import write_scene
 from macram.front.image import IMAGENET_STD
 from macram.model import Levels
 from macram.model.backbone import ResidualUnit
-from macram.train import compiled
+from macram.quant.lsq import LsqQuantizer
+from macram.spec import IntFormat
+from macram.train import compiled, norm_relu
 from macram.train.augment import AugmentSettings
+from macram.train.lsq_cpu import OnePassQuantizer, fuse_quantizers
 from macram.train.norm_relu import RectifyingBatchNorm2d, fuse_batch_norm
 from macram.train.pack import pack_frames
 from macram.train.pictures import draw_pictures
@@ -145,6 +148,39 @@ def test_other_cases_go_pytorchs_way():
     fused.load_state_dict(plain.state_dict())
     fused.eval()
     assert torch.equal(fused.rectified(x, x), x + torch.relu(plain(x)))
+    fused.requires_grad_(False)
+    assert fused.rectified(x.clone().requires_grad_()).requires_grad
+
+
+@pytest.mark.parametrize("channels", [1, 3, 17, 64, 300])
+@pytest.mark.parametrize("summed", [False, True])
+@pytest.mark.parametrize("dtype", [torch.float32, torch.bfloat16])
+def test_a_frozen_layer_is_one_pass_with_its_own_statistics(channels, summed, dtype, monkeypatch):
+    draw = torch.Generator().manual_seed(channels)
+    plain, fused = pair(channels)
+    with torch.no_grad():
+        plain.running_mean.normal_(generator=draw)
+        plain.running_var.uniform_(0.1, 3, generator=draw)
+    fused.load_state_dict(plain.state_dict())
+    plain.eval()
+    fused.eval().requires_grad_(False)
+    before = [buffer.clone() for buffer in fused.buffers()]
+    x, plus = (torch.randn(5, channels, 6, 7, generator=draw).to(dtype) for _ in range(2))
+    plus = plus if summed else None
+    passes = []
+    monkeypatch.setattr(norm_relu, "_call", lambda *a, call=norm_relu._call: passes.append(a[0]) or call(*a))
+    y = fused.rectified(x, plus)
+    assert passes == ["apply"]
+    assert y.dtype == dtype
+    true = torch.relu(plain(x.double())) + (0 if plus is None else plus.double())
+    torch.testing.assert_close(y.double(), true, rtol=2**-8 if dtype == torch.bfloat16 else 1e-5, atol=1e-5)
+    assert all(torch.equal(a, b) for a, b in zip(before, fused.buffers(), strict=True))
+    fused.requires_grad_(True)
+    with torch.no_grad():
+        assert torch.equal(fused.rectified(x, plus), y)
+    passes.clear()
+    assert fused.rectified(x.float()).requires_grad
+    assert passes == []
 
 
 def test_frozen_statistics_do_not_move():
@@ -175,6 +211,88 @@ def test_residual_units_are_the_same(activation):
     inner = plain(unit.reduce.bn(unit.reduce.conv(x)))
     want = x + plain(unit.expand.bn(unit.expand.conv(inner)))
     torch.testing.assert_close(fused(x), want, rtol=1e-4, atol=1e-4)
+
+
+# ---- quantisers ---------------------------------------------------------------------------------------
+
+
+def quantizers(bits_format, step):
+    """PyTorch's operations, and one pass."""
+    plain = LsqQuantizer(bits_format, batched=True)
+    with torch.no_grad():
+        plain.step.fill_(step)
+    fused = copy.deepcopy(plain)
+    fuse_quantizers(fused)
+    assert type(fused) is OnePassQuantizer
+    return plain, fused
+
+
+def quantised(layer, v, grad):
+    layer.zero_grad()
+    v = v.clone().requires_grad_()
+    y = layer(v)
+    y.backward(grad)
+    return y.detach(), v.grad, layer.step.grad
+
+
+@pytest.mark.parametrize(
+    "shape", [(1, 1, 1, 1), (3, 5, 7, 9), (4, 32, 16, 16), (2, 300, 1, 3), (1, 8, 200, 200)]
+)
+@pytest.mark.parametrize("code_format", [IntFormat(3), IntFormat(3, signed=True), IntFormat(8), IntFormat(1)])
+def test_a_quantiser_in_one_pass_is_pytorchs(shape, code_format):
+    draw = torch.Generator().manual_seed(sum(shape))
+    plain, fused = quantizers(code_format, 0.37)
+    v, grad = (2 * torch.randn(shape, generator=draw) for _ in range(2))
+    v.view(-1)[::11] = float("inf")
+    v.view(-1)[::7] = 0.37 * (
+        torch.randint(-9, 9, v.view(-1)[::7].shape, generator=draw) / 2
+    )  # ties and bounds
+    for layout in (torch.channels_last, torch.contiguous_format):
+        maps = [value.to(memory_format=layout) for value in (v, grad)]
+        (y, to_v, to_step), mine = quantised(plain, *maps), quantised(fused, *maps)
+        assert torch.equal(mine[0], y)
+        assert torch.equal(mine[1], to_v)
+        assert abs(float(mine[2] - to_step)) <= 1e-5 * float(grad.abs().sum()) * plain.gradient_scale(v)
+
+
+def test_a_quantiser_of_mixed_precision_rounds_its_results_alone():
+    draw = torch.Generator().manual_seed(5)
+    plain, fused = quantizers(IntFormat(3), 0.3)
+    v, grad = (torch.randn(4, 24, 9, 8, generator=draw).bfloat16() for _ in range(2))
+    y, to_v, to_step = quantised(fused, v, grad)
+    true_y, true_to_v, true_to_step = quantised(plain, v.float(), grad.float())
+    assert (y.dtype, to_v.dtype, to_step.dtype) == (torch.bfloat16, torch.bfloat16, torch.float32)
+    assert torch.equal(y, true_y.bfloat16())
+    assert torch.equal(to_v, true_to_v.bfloat16())
+    assert to_step.item() == pytest.approx(true_to_step.item(), rel=1e-4)
+
+
+def test_a_quantiser_passes_on_what_is_no_number_and_holds_its_smallest_step():
+    for layer in quantizers(IntFormat(3), -1.0):
+        v = torch.tensor([float("nan"), 1.0, -1.0, 1e-9]).view(1, 1, 2, 2)
+        y, to_v, to_step = quantised(layer, v, torch.ones_like(v))
+        assert y.isnan().flatten().tolist() == [True, False, False, False]
+        assert y.flatten()[1].item() == pytest.approx(7e-8)
+        assert to_v.flatten().tolist() == [0, 0, 0, 1]
+        assert to_step.isnan()
+
+
+def test_other_quantisers_go_pytorchs_way():
+    weights = LsqQuantizer(IntFormat(3), batched=False)
+    per_channel = LsqQuantizer(IntFormat(3), step_shape=(4, 1, 1, 1), batched=False)
+    fuse_quantizers(nn.ModuleList([weights, per_channel]))
+    assert type(weights) is type(per_channel) is LsqQuantizer
+    plain, fused = quantizers(IntFormat(3), 0.3)
+    seen = []
+    fused.observer = lambda layer, v: seen.append(layer)
+    v = torch.randn(2, 3, 4, 4, generator=torch.Generator().manual_seed(1))
+    assert fused(v) is v
+    fused.observer = None
+    assert seen == [fused]
+    with torch.no_grad():
+        assert torch.equal(fused(v), plain(v))
+    assert torch.equal(fused(v[0]), plain(v[0]))
+    assert torch.equal(fused.to_codes(v), plain.to_codes(v))
 
 
 # ---- views ------------------------------------------------------------------------------------------

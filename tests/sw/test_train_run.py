@@ -281,14 +281,38 @@ def test_small_views_have_exact_gradients_in_mixed_precision(stage, scene, tmp_p
             assert not beside.any()  # these taps have seen nothing but padding
 
 
+@pytest.fixture(scope="module")
+def quantised(scene, wdr, tmp_path_factory):
+    """A finished network of 3 bits in mode III."""
+    out = tmp_path_factory.mktemp("quantised")
+    return Run(stage_config("lsq-3-III", scene, out, wdr), ALONE, None).train()
+
+
 @pytest.mark.parametrize(
-    ("stage", "words"), [("lsq", "is quantised already"), ("counterfactual", "is quantised already")]
+    ("stage", "words", "bits"),
+    [
+        ("counterfactual", "is quantised already", 3),
+        ("control", "is quantised already", 3),
+        ("lsq", "has 3 bits in mode III already", 8),
+    ],
 )
-def test_stages_refuse_unsuitable_checkpoints(stage, words, scene, tmp_path, wdr):
-    quantised = tmp_path / "lsq"
-    Run(stage_config("lsq-3-III", scene, quantised, wdr), ALONE, None).train()
+def test_stages_refuse_unsuitable_checkpoints(stage, words, bits, scene, tmp_path, quantised):
+    changes = {"run": {"init": str(quantised)}, "quant": {"bits": bits, "mode": "III"}}
     with pytest.raises(ValueError, match=words):
-        Run(config(scene, tmp_path / "next", stage, run={"init": str(quantised / MODEL)}), ALONE, None)
+        Run(config(scene, tmp_path / "next", stage, **changes), ALONE, None)
+
+
+def test_a_quantised_network_is_trained_on_with_the_steps_it_has(scene, tmp_path, quantised):
+    before, old = load_model(quantised)
+    run = Run(stage_config("lsq-3-III", scene, tmp_path / "on", quantised), ALONE, None)
+    state = run.stage.net.state_dict()
+    assert all(torch.equal(state[name], value) for name, value in before.state_dict().items())
+    run.train()
+    after, card = load_model(tmp_path / "on" / MODEL)
+    assert not torch.equal(after.head.pose.weight, before.head.pose.weight)
+    assert (card.mode, card.bits) == ("III", 3)
+    assert [h["config"]["run"]["stage"] for h in card.history] == ["wdr", "lsq", "lsq"]
+    assert card.history[:2] == old.history
 
 
 def test_damaged_checkpoints_are_named(tmp_path, wdr):

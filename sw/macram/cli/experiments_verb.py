@@ -58,9 +58,9 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
     refine = of_one_row(
         "refine",
         help="add the refined scores to a record",
-        description="For records without them, or after [refined] of the plan has changed: more looks at every picture "
-        "and its edges, on the record's own frames. The network must be the recorded one, by its SHA-256. Up to 8 "
-        "processes share the frames.",
+        description="For records without them, or after [refined] of the plan or the numbers behind it have changed: "
+        "more looks at every picture and its edges, on the record's own frames. The network must be the recorded one, "
+        "by its SHA-256. Up to 8 processes share the frames.",
     )
     refine.add_argument("folder", type=Path, metavar="RUN", help="with the row's model.safetensors")
 
@@ -76,7 +76,7 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
         help="score ways to find poses with one trained network",
         description="Every way on the validation split, the chosen ones on the test split; results/inference-RUN.json. "
         "First the box of visible edges is measured on training frames with their true poses. What the record has "
-        "is not scored again.",
+        "by the same numbers is not scored again.",
     )
     inference.add_argument("model", type=Path, metavar="MODEL", help="model.safetensors of a run")
     inference.add_argument(
@@ -132,8 +132,11 @@ def _list(arguments: argparse.Namespace) -> int:
             folder = arguments.results / job.key
             record = read_result(folder)
             row["add_0.1"] = record["ranges"]["all"]["add"]["0.1"]
-            if refined := read_refined(job, folder, record):
-                row["refined_add_0.1"] = refined.table["ranges"]["all"]["add"]["0.1"]
+            try:
+                if refined := read_refined(job, folder, record):
+                    row["refined_add_0.1"] = refined.table["ranges"]["all"]["add"]["0.1"]
+            except ValueError as error:
+                row["refined_error"] = str(error)
         rows.append(row)
     if arguments.json:
         print(json.dumps(rows, indent=2))
@@ -143,6 +146,7 @@ def _list(arguments: argparse.Namespace) -> int:
         table.add_column(column)
     for row in rows:
         scores = [f"{row[key]:.2f} %" if key in row else "" for key in ("add_0.1", "refined_add_0.1")]
+        scores[1] = "refine again" if "refined_error" in row else scores[1]
         table.add_row(row["row"], str(row["seed"]), row["title"], row["after"], row["state"], *scores)
     open_console().print(table)
     return OK

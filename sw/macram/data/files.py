@@ -26,6 +26,8 @@ def read_json(path: Path) -> Any:
         raise ValueError(f"{path}: file is missing") from None
     except (json.JSONDecodeError, UnicodeDecodeError) as error:
         raise ValueError(f"{path}: not valid JSON ({error})") from None
+    except RecursionError:
+        raise ValueError(f"{path}: not valid JSON here (nested too deep)") from None
 
 
 def read_object(path: Path) -> dict[str, Any]:

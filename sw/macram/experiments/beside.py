@@ -49,32 +49,15 @@ def quantised(done: Sequence[Finished]) -> list[str]:
     ]
 
 
-def seeds(plan: Plan, done: Sequence[Finished]) -> list[str]:
-    """Mean and spread of both over the seeds that have both."""
-    lines = []
-    for row in plan.rows:
-        both = [f for f in done if f.job.row is row and row.group == "seeds" and f.refined]
-        if both:
-            values = [[score for score in _scores(f) if score is not None] for f in both]
-            cells = [_spread(column) for column in zip(*values, strict=True)]
-            lines.append([row.title, f"{len(both)} of {len(row.seeds)}", *cells])
-    if not lines:
-        return []
-    return [
-        "ADD on all distances by a single look and refined, mean ± standard deviation over the seeds that have "
-        f"both:\n\n{table(['row', 'seeds', *COLUMNS], lines)}"
-    ]
-
-
 def _beside(rows: Sequence[Finished], others: Sequence[Finished | None], title: str) -> str:
     lines = []
     for f, other in zip(rows, others, strict=True):
-        cells = ["" if score is None else f"{score:.2f}" for score in _scores(f)]
+        cells = ["" if score is None else f"{score:.2f}" for score in scores(f)]
         lines.append([f.job.row.title, *cells, _difference(f, other)])
     return table(["row", *COLUMNS, title], lines)
 
 
-def _scores(f: Finished) -> list[float | None]:
+def scores(f: Finished) -> list[float | None]:
     """One for each of `COLUMNS`."""
     single = f.table["ranges"]["all"]["add"]
     refined = {} if f.refined is None else f.refined.table["ranges"]["all"]["add"]
@@ -86,8 +69,3 @@ def _difference(one: Finished, other: Finished | None) -> str:
         return ""
     points, low, high = statistics.difference(one.refined.frames, other.refined.frames)
     return f"{points:+.1f} ({low:+.1f} to {high:+.1f})"
-
-
-def _spread(values: Sequence[float]) -> str:
-    mean, deviation = statistics.spread(values)
-    return f"{mean:.2f} ± {deviation:.2f}" if len(values) > 1 else f"{mean:.2f}"

@@ -35,6 +35,9 @@ from macram.train.predict import Predictor, evaluate_frames
 from macram.weights import sha256
 
 TRIES = "inference-*.json"
+SPLITS = ("validation", "testing")
+MEASURING = EdgeSettings(nearer=1.0, outward=0.0)
+"""How the box of edges is measured from true poses."""
 MEASURED_ON = 250
 """Training frames that the box of edges is measured on."""
 
@@ -62,6 +65,13 @@ class Try:
     tested: bool = False
     own_box: bool = False
 
+    def with_box(self, box: float) -> PoseSettings:
+        """The settings, edges on the measured ``box`` unless they have their own."""
+        edges = self.settings.edges
+        if edges is None or self.own_box:
+            return self.settings
+        return replace(self.settings, edges=replace(edges, box=box))
+
 
 def _edges(**changes: Any) -> PoseSettings:
     return PoseSettings(edges=EdgeSettings(**changes))
@@ -87,8 +97,10 @@ ALL = (
     Try("8 looks", _looks(turns=8), "--looks 8"),
     Try("edges, box of the keypoints, from the keypoints' depth", _edges(nearer=1.0), own_box=True),
     Try("edges, from the keypoints' depth", _edges(nearer=1.0)),
+    Try("edges, outline not preferred", _edges(outward=0.0)),
     Try("edges", _edges(), "--edges BOX", tested=True),
-    Try("edges, from 5 % nearer", _edges(nearer=0.95)),
+    Try("edges, from 3 % nearer", _edges(nearer=0.97)),
+    Try("edges, from 7 % nearer", _edges(nearer=0.93)),
     Try("edges, smoothing of 1 px", _edges(blur_px=1.0)),
     Try("edges, keypoints holding three times as fast", _edges(hold=0.033)),
     Try("edges, reach doubled at first", _edges(reach=(0.12, 0.06, 0.04, 0.025))),
@@ -133,7 +145,7 @@ def edge_box(frames: list[Frame]) -> float:
     """
     box = 1.0
     for _ in range(2):
-        settings = EdgeSettings(box=box, nearer=1.0)
+        settings = replace(MEASURING, box=box)
         ratios = []
         for frame in frames:
             true = Pose(frame.rotation, frame.translation)
@@ -153,7 +165,9 @@ def try_all(
     tries: Sequence[Try] = ALL,
     told: Callable[[str, int, int], None] | None = None,
 ) -> Path:
-    """Scores every setting that the record does not have yet; the record is written after each.
+    """Scores every setting that the record does not have yet, by its name and numbers; written after each.
+
+    What the record has beside them is left away: settings of that name which meant something else then.
 
     Args:
         model: ``model.safetensors`` of a network whose keypoints are a box's corners.
@@ -183,22 +197,41 @@ def try_all(
     out.parent.mkdir(parents=True, exist_ok=True)
     record = read_json(out) if out.is_file() else {}
     if any(record.get(key) != value for key, value in about.items()):
+        record = {**about, "rows": []}
+    measured = PoseSettings(edges=MEASURING).to_dict()["edges"]
+    if record.get("edge_box_settings") != measured:
         box = edge_box(thinned(dataset.frames("training"), MEASURED_ON))
-        record = {**about, "edge_box": box, "edge_box_frames": MEASURED_ON, "rows": []}
+        record |= {"edge_box": box, "edge_box_frames": MEASURED_ON, "edge_box_settings": measured}
         write_json(out, record)
-    for split in ("testing",) if integer else ("validation", "testing"):
+    wanted = {entry.name: entry for entry in tries}
+    known = {
+        (row["name"], row["split"]): {**row, "options": wanted[row["name"]].options}
+        for row in record["rows"]
+        if row["name"] in wanted and is_of(row, wanted[row["name"]], record["edge_box"])
+    }
+    for split in SPLITS[1:] if integer else SPLITS:
         frames = thinned(dataset.frames(split), limit)
         predictor = _Remembering(net, card, integer=integer)
         for entry in tries:
-            done = any((row["name"], row["split"]) == (entry.name, split) for row in record["rows"])
-            if done or (split == "testing" and not entry.tested):
+            if (entry.name, split) in known or (split == "testing" and not entry.tested):
                 continue
-            settings = entry.settings
-            if settings.edges is not None and not entry.own_box:
-                settings = replace(settings, edges=replace(settings.edges, box=record["edge_box"]))
-            record["rows"].append(_row(predictor, settings, entry, split, frames, told))
-            write_json(out, record)
+            settings = entry.with_box(record["edge_box"])
+            known[entry.name, split] = _row(predictor, settings, entry, split, frames, told)
+            _write(out, record, known, tries)
+    _write(out, record, known, tries)
     return out
+
+
+def is_of(row: dict[str, Any], entry: Try, box: float) -> bool:
+    """Whether a record's row was scored by the numbers that ``entry`` stands for now."""
+    return bool(row.get("settings") == entry.with_box(box).to_dict())
+
+
+def _write(
+    out: Path, record: dict[str, Any], known: dict[tuple[str, str], dict[str, Any]], tries: Sequence[Try]
+) -> None:
+    places = ((entry.name, split) for split in SPLITS for entry in tries)
+    write_json(out, {**record, "rows": [known[place] for place in places if place in known]})
 
 
 def _row(
@@ -221,6 +254,7 @@ def _row(
     return {
         "name": entry.name,
         "options": entry.options,
+        "settings": settings.to_dict(),
         "split": split,
         "frames": table["all"]["frames"],
         "misses": table["all"]["misses"],

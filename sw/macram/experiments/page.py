@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
-from macram.experiments import beside, materials, sections
+from macram.experiments import beside, materials, sections, seeds
 from macram.experiments.curves import curves_svg
 from macram.experiments.finished import finished
 from macram.experiments.plan import Plan
@@ -58,8 +58,7 @@ def page(plan: Plan, results: Path) -> str:
         *materials.shipped(results),
         *sections.questions(done),
         *beside.questions(done),
-        *sections.seeds(plan, done),
-        *beside.seeds(plan, done),
+        *seeds.section(plan, done),
         *sections.more_data(done),
         *sections.quantised(done, cited),
         *beside.quantised(done),

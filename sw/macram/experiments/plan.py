@@ -157,8 +157,11 @@ class Job:
         return f"{self.row.name}.s{self.seed}"
 
     def before(self) -> Job | None:
-        """The job whose network this one continues, of the same seed."""
-        return Job(self.plan, self.plan.row(self.row.after), self.seed) if self.row.after else None
+        """The job whose network this one continues: of the same seed, or the only one of its row."""
+        if not self.row.after:
+            return None
+        row = self.plan.row(self.row.after)
+        return Job(self.plan, row, row.seeds[0] if len(row.seeds) == 1 else self.seed)
 
     def folder(self, runs: Path) -> Path:
         """Of checkpoints and logs."""
@@ -208,7 +211,8 @@ def read_plan(path: Path = PLAN) -> Plan:
 
     Raises:
         ValueError: no such file, not TOML, a field that is unknown, missing or out of range, a name that is there
-            twice, or a row that continues one that does not stand before it or lacks one of its seeds.
+            twice, or a row that continues one that does not stand before it or has
+            several seeds but not all of its.
     """
     try:
         table = tomllib.loads(path.read_text())
@@ -231,12 +235,18 @@ def read_plan(path: Path = PLAN) -> Plan:
         row = _row(path, entry)
         if row.name in rows:
             raise ValueError(f"{path}: row {row.name!r} is there twice")
-        if row.after and (row.after not in rows or not set(row.seeds) <= set(rows[row.after].seeds)):
+        if row.after and not (row.after in rows and _continues(row, rows[row.after])):
             raise ValueError(
-                f"{path}: row {row.name!r} continues {row.after!r}, which must stand before it, with its seeds"
+                f"{path}: row {row.name!r} continues {row.after!r}, which must stand before it, with its seeds or "
+                "with one alone"
             )
         rows[row.name] = row
     return Plan(scoring, training, refined, tuple(rows.values()))
+
+
+def _continues(row: Row, before: Row) -> bool:
+    """Whether each seed has a network to continue: its own, or the only one there is."""
+    return len(before.seeds) == 1 or set(row.seeds) <= set(before.seeds)
 
 
 def _row(path: Path, entry: dict[str, Any]) -> Row:

@@ -65,6 +65,7 @@ def write_refined(
         "seed": job.seed,
         "options": refined.options,
         "solver": refined.settings.words,
+        "settings": refined.settings.to_dict(),
         "model_sha256": sha256(model),
         "dataset": dataset_version(job.plan.scoring.data),
         "score_form": score_form(card),
@@ -96,4 +97,6 @@ def read_refined(job: Job, folder: Path, record: dict[str, Any]) -> RefinedScore
         raise ValueError(
             f"{path}: is by {table['options']}, the plan says {job.plan.refined.options}; {again}"
         )
+    if table.get("settings") != job.plan.refined.settings.to_dict():
+        raise ValueError(f"{path}: {table['options']} meant other settings then than now; {again}")
     return RefinedScores(table, read_frames(folder / REFINED_FRAMES))

@@ -96,29 +96,6 @@ def _difference(one: Finished, other: Finished) -> str:
     )
 
 
-def seeds(plan: Plan, done: Sequence[Finished]) -> list[str]:
-    """Spread over seeds."""
-    rows = []
-    for row in plan.rows:
-        shares = [
-            f.table["ranges"]["all"]["add"]["0.1"] for f in done if f.job.row is row and row.group == "seeds"
-        ]
-        if shares:
-            mean, deviation = statistics.spread(shares)
-            rows.append([row.title, f"{len(shares)} of {len(row.seeds)}", f"{mean:.2f}", f"{deviation:.2f}"])
-    wanted = [row for row in plan.rows if row.group == "seeds"]
-    head = "## Spread over seeds\n\n"
-    if not rows:
-        names = ", ".join(f"`{row.name}`" for row in wanted)
-        return [
-            f"{head}None of {names} has been run to its end yet, so the spread over trainings is not known."
-        ]
-    return [
-        f"{head}ADD-0.1d on all distances.",
-        table(["row", "seeds", "mean %", "standard deviation"], rows),
-    ]
-
-
 def more_data(done: Sequence[Finished]) -> list[str]:
     """Rows of the group data beside the same training on the plan's own data."""
     pairs = [

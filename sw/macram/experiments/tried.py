@@ -8,8 +8,9 @@ from typing import Any
 
 from macram.data.files import read_json
 from macram.data.geometry import BUCKETS
-from macram.experiments.inference import TRIES
+from macram.experiments.inference import ALL, TRIES, is_of
 from macram.experiments.sections import table
+from macram.pose import EdgeSettings
 
 LIMITS = ("0.1", "0.2", "0.5")
 HEAD = ("setting", "options", *BUCKETS, "ADD-0.1d %", "0.2d %", "0.5d %", "rotation, deg", "CPU s")
@@ -21,8 +22,11 @@ def tried(results: Path, shas: Collection[str]) -> list[str]:
     Args:
         results: folder of records.
         shas: SHA-256 of the networks in the tables of rows; others are called earlier ones.
+
+    Raises:
+        ValueError: a setting was scored by other numbers than it stands for now.
     """
-    records = [read_json(path) for path in sorted(results.glob(TRIES))]
+    records = [_current(path) for path in sorted(results.glob(TRIES))]
     parts = []
     for record in records:
         rows = _rows(record, "validation")
@@ -42,6 +46,18 @@ def tried(results: Path, shas: Collection[str]) -> list[str]:
     return ["## What was tried at inference", *parts] if parts else []
 
 
+def _current(path: Path) -> dict[str, Any]:
+    record: dict[str, Any] = read_json(path)
+    entries = {entry.name: entry for entry in ALL}
+    for row in record["rows"]:
+        entry = entries.get(row["name"])
+        if entry is None or not is_of(row, entry, record["edge_box"]):
+            raise ValueError(
+                f"{path}: {row['name']!r} meant other settings then than now; macram experiments inference MODEL"
+            )
+    return record
+
+
 def _rows(record: dict[str, Any], split: str) -> list[dict[str, Any]]:
     return [row for row in record["rows"] if row["split"] == split]
 
@@ -59,7 +75,8 @@ def _introduction(record: dict[str, Any], rows: Sequence[dict[str, Any]], networ
         "reading included; rotation is the median. *Looks* are turned crops around the first pose, in which the target "
         "has 56 of 128 pixels; *edges* align the pose with the picture's steps of brightness along the edges of a box "
         f"of {record['edge_box']:g} of the keypoints' box, measured on {record['edge_box_frames']} training frames "
-        "with their true poses; they start 3 % nearer than the keypoints say. Both are calibrations on training and "
+        f"with their true poses; they start {100 * (1 - EdgeSettings().nearer):.0f} % nearer than the keypoints say "
+        "and prefer the outline to edges inside it until the last round. All of these are calibrations on training and "
         "validation frames alone."
     )
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
@@ -81,6 +82,11 @@ class PoseSettings:
         if self.edges is not None:
             parts.append(f"edges of a box of {self.edges.box:g}")
         return " and ".join(parts) if len(parts) < 3 else ", ".join(parts)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Every number, as a JSON file gives it back."""
+        table: dict[str, Any] = json.loads(json.dumps(asdict(self)))
+        return table
 
     def voters(self, levels: Sequence[LevelCells], anchors: Sequence[float]) -> Candidates | None:
         """The voting cells of one view."""

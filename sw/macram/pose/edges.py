@@ -3,7 +3,8 @@
 The network's keypoints fix the size of a far target to a few percent of it; its edges are seen to a fraction of
 a pixel. Points on the visible edges look along their normals for the strongest step of brightness nearby, and
 the pose follows by least squares; the keypoints' pose holds whatever the edges leave open. Three rounds, with
-ever shorter reach. The principle is that of C. Harris, C. Stennett, "RAPID", BMVC 1990.
+ever shorter reach; the first two prefer the outline to what is inside of it. The principle is that of C. Harris,
+C. Stennett, "RAPID", BMVC 1990.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ _SMALLEST_PX = 6.0
 _LARGEST_PX = 4000.0
 """Targets above this come from a pose that is wrong; the search would reach farther than any picture."""
 _NEAREST_MM = 1.0
+_MOST_OUTWARD = 10.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +45,9 @@ class EdgeSettings:
         nearer: depth to start from, in depths of the keypoints' pose. Networks see targets in half shadow as
             too small, and from too far away the search meets inner edges first.
         reach: of the search, one round each, in shares of the target's size.
+        outward: how much points of the outline prefer steps farther out in the first round: two steps that lie
+            a reach apart are alike if the inner one is ``exp(outward)`` times as strong. Falls evenly to 0 in the
+            last round, which measures.
         blur_px: standard deviation of the smoothing.
         spread_px: error at which a point counts half; also at least 0.3 % of the target's size.
         hold: how far the keypoints' pose lets go, in shares of the target's size.
@@ -50,12 +55,13 @@ class EdgeSettings:
         points: sought on each edge.
 
     Raises:
-        ValueError: a value that is not above zero.
+        ValueError: a value that is not above zero; ``outward`` out of 0..10.
     """
 
     box: float = 1.0
-    nearer: float = 0.97
+    nearer: float = 0.95
     reach: tuple[float, ...] = (0.06, 0.04, 0.025)
+    outward: float = 0.4
     blur_px: float = 0.7
     spread_px: float = 0.15
     hold: float = 0.1
@@ -69,6 +75,8 @@ class EdgeSettings:
                 raise ValueError(f"edges: {name} must be above 0, not {value!r}")
         if not self.reach or min(self.reach) <= 0:
             raise ValueError(f"edges: reach needs values above 0, not {self.reach!r}")
+        if not 0 <= self.outward <= _MOST_OUTWARD:
+            raise ValueError(f"edges: outward must be 0 to {_MOST_OUTWARD:g}, not {self.outward!r}")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,9 +124,12 @@ def refine_on_edges(
     grey = image.astype(np.float32)
     linear = np.asarray((grey / 255) ** _GAMMA, np.float32)
     pictures = _smooth(linear, settings.blur_px), _smooth(grey, settings.blur_px)
-    for reach in settings.reach:
+    last = len(settings.reach) - 1
+    for number, share in enumerate(settings.reach):
+        reach = max(share * size, 1.0)
+        outward = settings.outward * (last - number) / max(last, 1)
         for _ in range(_MEASUREMENTS):
-            found = _search(pictures, matrix, R, t, box, max(reach * size, 1.0), settings)
+            found = _search(pictures, matrix, R, t, box, reach, outward, settings)
             R, t = _follow(found, matrix, R, t, box, held, size, settings)
             if not _ahead(R, t, box):
                 return pose
@@ -129,8 +140,8 @@ def _ahead(R: Floats, t: Floats, box: Floats) -> bool:
     return bool(np.all(box @ R[2] + t[2] > _NEAREST_MM))
 
 
-def visible_edges(R: Floats, t: Floats, box: Floats) -> list[tuple[int, int]]:
-    """Edges of a box ``[8, 3]`` on a side that faces the camera."""
+def visible_edges(R: Floats, t: Floats, box: Floats) -> dict[tuple[int, int], bool]:
+    """Edges of a box ``[8, 3]`` on a side that faces the camera, and whether they are part of its outline."""
     centre, eye = box.mean(axis=0), -R.T @ t
     seen = [
         set(np.flatnonzero(sign * (box - centre)[:, axis] > 0).tolist())
@@ -138,7 +149,8 @@ def visible_edges(R: Floats, t: Floats, box: Floats) -> list[tuple[int, int]]:
         for sign in (-1, 1)
         if sign * (eye - centre)[axis] > np.abs(box - centre)[:, axis].max()
     ]
-    return [edge for edge in BOX_EDGES if any(set(edge) <= side for side in seen)]
+    sides = {edge: sum(set(edge) <= side for side in seen) for edge in BOX_EDGES}
+    return {edge: count == 1 for edge, count in sides.items() if count}
 
 
 def _smooth(picture: Floats32, spread: float) -> Floats32:
@@ -152,10 +164,12 @@ def _search(
     t: Floats,
     box: Floats,
     reach: float,
+    outward: float,
     settings: EdgeSettings,
 ) -> _Found:
-    """The strongest step across every visible edge, within about ``reach`` px."""
-    ends = np.array(visible_edges(R, t, box))
+    """The strongest step across every visible edge, within about ``reach`` px; see `EdgeSettings.outward`."""
+    edges = visible_edges(R, t, box)
+    ends = np.array(list(edges))
     share = ((np.arange(settings.points) + 0.5) / settings.points)[:, None]
     points = (box[ends[:, :1]] * (1 - share) + box[ends[:, 1:]] * share).reshape(-1, 3)
     pixels = projected(K, R, t, points)[0]
@@ -168,8 +182,12 @@ def _search(
     offsets = np.asarray(np.arange(-half, half + 1) * _STEP_PX, np.float64)
     linear, smooth = (_steps(picture, pixels, normals, offsets) for picture in pictures)
     rows = np.arange(len(points))
-    # Among steps alike the nearest is meant.
-    best = np.argmax(linear * np.exp(-0.5 * (offsets / reach) ** 2), axis=1)
+    # Among steps alike the nearest is meant, and first of all the one farther out.
+    away = pixels - projected(K, R, t, box)[0].mean(axis=0)
+    out = np.sign((away * normals).sum(axis=1)) * np.repeat(list(edges.values()), settings.points)
+    best = np.argmax(
+        linear * np.exp(outward * np.outer(out, offsets / reach) - 0.5 * (offsets / reach) ** 2), axis=1
+    )
     inner = np.clip(best, 1, len(offsets) - 2)
     before, peak, after = (linear[rows, inner + d] for d in (-1, 0, 1))
     bend = before - 2 * peak + after

@@ -68,13 +68,16 @@ class LsqQuantizer(nn.Module):
         if self.observer is not None:
             self.observer(self, v)
             return v
+        lo, hi = self.code_format.lo, self.code_format.hi
+        one_pass = self.batched and torch.is_grad_enabled() and has_one_pass(v)
+        return cast(Tensor, _Lsq.apply(v, self.step, lo, hi, self.gradient_scale(v), one_pass))  # type: ignore[no-untyped-call]
+
+    def gradient_scale(self, v: Tensor) -> float:
+        """The factor g of the step's gradient for values like ``v``."""
         features = v.numel() // self.step.numel()
         if self.batched:
             features //= v.shape[0]
-        scale = 1.0 / math.sqrt(features * self.code_format.hi)
-        lo, hi = self.code_format.lo, self.code_format.hi
-        one_pass = self.batched and torch.is_grad_enabled() and has_one_pass(v)
-        return cast(Tensor, _Lsq.apply(v, self.step, lo, hi, scale, one_pass))  # type: ignore[no-untyped-call]
+        return 1.0 / math.sqrt(features * self.code_format.hi)
 
     def to_codes(self, v: Tensor) -> Tensor:
         """Values -> int64 codes ``lo..hi``: exactly the codes that `forward` multiplies by the step."""

@@ -54,8 +54,10 @@ def _compile(source: Path, path: Path) -> None:
 
 
 def _key(source: Path) -> str:
-    """Changes with the source, the command and the processor, whose own instructions are used."""
+    """Changes with the source, all headers, the command and the processor, whose own instructions are used."""
     digest = hashlib.sha256(source.read_bytes())
+    for header in sorted(source.parent.glob("*.hpp")):
+        digest.update(header.read_bytes())
     digest.update(repr((COMMAND, platform.machine())).encode())
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()

@@ -27,6 +27,7 @@ from macram.train.distributed import Processes, share_batch_norm
 from macram.train.feed import Feed
 from macram.train.fused import fuse_batch_norm
 from macram.train.logs import Bar, Log
+from macram.train.lsq_cpu import fuse_quantizers
 from macram.train.mixed import autocast_helps, exact_layers
 from macram.train.narrow import narrow_convolutions
 from macram.train.objective import Objective
@@ -88,7 +89,7 @@ class Run:
             counterfactual=self.stage.counterfactual,
         )
         self.watch = Watch(device)
-        if self.stage.card.mode and not resume:
+        if self.stage.uncalibrated and not resume:
             calibrate_steps(self.stage.net, self.feed.plain(config.quant.calibration))
         keypoints = torch.tensor(self.stage.card.keypoints, device=device)
         self.objective = Objective(config.loss, self.stage.card.diameter, keypoints)
@@ -99,6 +100,7 @@ class Run:
             fuse_batch_norm(self.stage.module, device)
         if device.type == "cpu":
             narrow_convolutions(self.stage.module)
+            fuse_quantizers(self.stage.module)
         named = [(n, p) for n, p in self.stage.module.named_parameters() if p.requires_grad]
         self.names: dict[Tensor, str] = {p: n for n, p in named}
         self.optimiser = make_optimiser(config.optimiser, [p for _, p in named])

@@ -1,8 +1,8 @@
 """Batch normalisation and ReLU as one operation on the CPU, in fewer passes over memory than as two.
 
 Together PyTorch's kernels move 14 maps through memory in a training step: six forward, eight backward. The ones
-in ``norm_relu.cpp`` move eight, and keep one map for the backward pass instead of two. On a GPU
-`macram.train.norm_relu_gpu` does the same.
+in ``norm_relu.cpp`` move eight, and keep one map for the backward pass instead of two. In a frozen backbone they
+move two or three instead of five to seven. On a GPU `macram.train.norm_relu_gpu` does the same while training.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class _NormRelu(torch.autograd.Function):
 def _kernel(name: str, dtype: torch.dtype) -> Any:
     """A function of ``norm_relu.cpp``: rows, channels, threads, pointers, epsilon, pointers."""
     kernel = getattr(library("norm_relu"), f"{name}_{KERNELS[dtype]}")
-    before, after = {"forward": (5, 2), "backward": (7, 2)}[name]
+    before, after = {"forward": (5, 2), "backward": (7, 2), "apply": (7, 0)}[name]
     kernel.argtypes = (
         *(ctypes.c_int64, ctypes.c_int64, ctypes.c_int),
         *(before * [ctypes.c_void_p]),
@@ -79,18 +79,39 @@ class RectifyingBatchNorm2d(WideBatchNorm2d):
     """Batch normalisation that can apply the ReLU behind it too."""
 
     def rectified(self, input: Tensor, plus: Tensor | None = None) -> Tensor:
-        """``relu(self(input)) + plus``, ``[N, C, H, W]``: in one go while training in bfloat16 or float32."""
+        """``relu(self(input)) + plus``, ``[N, C, H, W]``: in one go in bfloat16 or float32.
+
+        In evaluation mode only where no gradient is wanted, as in a frozen backbone.
+        """
         count = input.numel() // input.shape[1]
-        possible = (
-            self.training and count > 1 and input.dtype in KERNELS and self.weight.dtype == torch.float32
-        )
+        possible = count > 1 if self.training else self._constant(input, plus)
+        possible = possible and input.dtype in KERNELS and self.weight.dtype == torch.float32
         if not possible or (plus is not None and (plus.shape, plus.dtype) != (input.shape, input.dtype)):
             return summed(torch.relu(self(input)), plus)
+        if not self.training:
+            return self._applied(input, plus)
         result, mean, variance = _NormRelu.apply(  # type: ignore[no-untyped-call]
             input, plus, self.weight, self.bias, self.eps
         )
         follow_statistics(self, mean, variance, count)
         return cast(Tensor, result)
+
+    def _constant(self, input: Tensor, plus: Tensor | None) -> bool:
+        """Whether nothing here is differentiated, and running statistics in float32 are kept."""
+        used = [tensor for tensor in (input, plus, self.weight, self.bias) if tensor is not None]
+        wanted = torch.is_grad_enabled() and any(tensor.requires_grad for tensor in used)
+        kept = self.running_mean is not None and self.running_mean.dtype == torch.float32
+        return kept and not wanted
+
+    def _applied(self, input: Tensor, plus: Tensor | None) -> Tensor:
+        """With the running statistics."""
+        x = input.contiguous(memory_format=torch.channels_last)
+        if plus is not None:
+            plus = plus.contiguous(memory_format=torch.channels_last)
+        y = torch.empty_like(x)
+        statistics = self.running_mean, self.running_var
+        _call("apply", x, (x, plus, y, self.weight, self.bias, *statistics), self.eps, ())
+        return y
 
 
 def fuse_batch_norm(module: nn.Module) -> None:

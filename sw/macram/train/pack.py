@@ -20,6 +20,7 @@ from macram.data.erase import grow
 from macram.data.frame import Frame, Model, hull_mask
 from macram.data.geometry import project
 from macram.data.open import open_dataset
+from macram.kept import cache
 from macram.train.settings import DataSettings
 
 LAYOUT = 1
@@ -113,9 +114,7 @@ def thinned(frames: list[Frame], limit: int) -> list[Frame]:
 
 def cache_root(settings: DataSettings) -> Path:
     """Folder of all packed splits."""
-    if settings.cache:
-        return Path(settings.cache)
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "macram" / "frames"
+    return Path(settings.cache) if settings.cache else cache() / "frames"
 
 
 def _key(frames: Sequence[Frame], fill: str, positives: str) -> str:

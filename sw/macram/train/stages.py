@@ -26,6 +26,7 @@ class Stage:
         net: the network that will be used.
         module: what has the parameters: ``net``, or the three paths around it.
         card: of ``net``, without this stage's history.
+        uncalibrated: whether quantisers wait for their first steps.
 
     Args:
         config: of the run.
@@ -36,7 +37,7 @@ class Stage:
     """
 
     def __init__(self, config: TrainConfig, frames: PackedFrames) -> None:
-        self.config = config
+        self.config, self.uncalibrated = config, False
         generator = torch.Generator().manual_seed(config.run.seed)
         model = frames.model
         self.module: nn.Module
@@ -71,12 +72,11 @@ class Stage:
     def _continue(self, path: Path, generator: torch.Generator) -> None:
         source, self.card = load_model(path)
         stage, settings = self.config.run.stage, self.config.network
+        if stage == "lsq":
+            self._quantise(source, path)
+            return
         if self.card.mode:
             raise ValueError(f"{path}: is quantised already; stage {stage!r} starts from a float network")
-        if stage == "lsq":
-            self.card = replace(self.card, mode=self.config.quant.mode, bits=self.config.quant.bits)
-            self.net = self.module = quantise(source, self.card.mode, self.card.precision)
-            return
         if source.fpn_pseudo is not None:
             raise ValueError(
                 f"{path}: has the pseudo path already; stage {stage!r} starts from a wdr network"
@@ -90,6 +90,18 @@ class Stage:
         else:
             self.net = self.module = SpaceNet(network, generator)
             load_state(self.net, source.state_dict(), path)
+
+    def _quantise(self, source: SpaceNet, path: Path) -> None:
+        """Quantises a float network; goes on with one that has these very bits and mode."""
+        had, mode, bits = self.card.mode, self.config.quant.mode, self.config.quant.bits
+        if had and (had, self.card.bits) != (mode, bits):
+            raise ValueError(
+                f"{path}: has {self.card.bits} bits in mode {had} already; start from a float network, or set "
+                f"quant.mode and quant.bits to its own instead of {mode} and {bits}"
+            )
+        self.card = replace(self.card, mode=mode, bits=bits)
+        self.uncalibrated = not had
+        self.net = self.module = source if had else quantise(source, mode, self.card.precision)
 
     @property
     def counterfactual(self) -> bool:
