@@ -20,7 +20,7 @@ from macram.quant.lsq import LsqQuantizer
 from macram.spec import IntFormat
 from macram.train import compiled, norm_relu
 from macram.train.augment import AugmentSettings
-from macram.train.lsq_cpu import OnePassQuantizer, fuse_quantizers
+from macram.train.lsq_cpu import CpuQuantizer, fuse_quantizers
 from macram.train.norm_relu import RectifyingBatchNorm2d, fuse_batch_norm
 from macram.train.pack import pack_frames
 from macram.train.pictures import draw_pictures
@@ -223,7 +223,7 @@ def quantizers(bits_format, step):
         plain.step.fill_(step)
     fused = copy.deepcopy(plain)
     fuse_quantizers(fused)
-    assert type(fused) is OnePassQuantizer
+    assert type(fused) is CpuQuantizer
     return plain, fused
 
 
@@ -275,6 +275,27 @@ def test_a_quantiser_passes_on_what_is_no_number_and_holds_its_smallest_step():
         assert y.flatten()[1].item() == pytest.approx(7e-8)
         assert to_v.flatten().tolist() == [0, 0, 0, 1]
         assert to_step.isnan()
+
+
+def test_a_quantisers_sum_does_not_depend_on_threads():
+    v = torch.randn(8, 16, 60, 61, generator=torch.Generator().manual_seed(2))
+    threads, results = torch.get_num_threads(), []
+    try:
+        for count in (1, 2, 3):
+            torch.set_num_threads(count)
+            results.append(quantised(quantizers(IntFormat(3), 0.3)[1], v, v.flip(0)))
+    finally:
+        torch.set_num_threads(threads)
+    for other in results[1:]:
+        assert all(torch.equal(a, b) for a, b in zip(results[0], other, strict=True))
+
+
+def test_a_quantiser_of_values_without_gradient_and_of_one_gradient_for_all():
+    plain, fused = quantizers(IntFormat(3), 0.3)
+    v = torch.randn(2, 3, 4, 5, generator=torch.Generator().manual_seed(3)).transpose(2, 3)
+    for layer in (plain, fused):
+        layer(v).sum().backward()
+    assert fused.step.grad.item() == pytest.approx(plain.step.grad.item(), rel=1e-5)
 
 
 def test_other_quantisers_go_pytorchs_way():
@@ -390,6 +411,9 @@ def test_without_a_compiler_pytorch_does_the_work(elsewhere, monkeypatch, tmp_pa
     layer = nn.BatchNorm2d(64)
     fuse_batch_norm(layer)
     assert type(layer) is nn.BatchNorm2d
+    quantizer = LsqQuantizer(IntFormat(3), batched=True)
+    fuse_quantizers(quantizer)
+    assert type(quantizer) is LsqQuantizer
     cells, views = views_of(frames, 0, AugmentSettings(), (64, 64))
     warper = Warper(frames, CPU, 0, counterfactual=False)
     assert not warper.in_one_pass

@@ -23,6 +23,7 @@ from macram.train.distributed import Processes
 from macram.train.feed import Feed
 from macram.train.loop import LAST, MODEL, Run
 from macram.train.mixed import exact_layers
+from macram.train.record import stage_records
 from macram.train.watch import Watch
 
 ALONE = Processes(0, 1, torch.device("cpu"))
@@ -302,6 +303,11 @@ def test_stages_refuse_unsuitable_checkpoints(stage, words, bits, scene, tmp_pat
         Run(config(scene, tmp_path / "next", stage, **changes), ALONE, None)
 
 
+def test_a_run_does_not_write_what_it_starts_from(scene, quantised):
+    with pytest.raises(ValueError, match=r"run\.init is what the run writes; choose another run\.out"):
+        Run(stage_config("lsq-3-III", scene, quantised.parent, quantised), ALONE, None, resume=True)
+
+
 def test_a_quantised_network_is_trained_on_with_the_steps_it_has(scene, tmp_path, quantised):
     before, old = load_model(quantised)
     run = Run(stage_config("lsq-3-III", scene, tmp_path / "on", quantised), ALONE, None)
@@ -313,6 +319,21 @@ def test_a_quantised_network_is_trained_on_with_the_steps_it_has(scene, tmp_path
     assert (card.mode, card.bits) == ("III", 3)
     assert [h["config"]["run"]["stage"] for h in card.history] == ["wdr", "lsq", "lsq"]
     assert card.history[:2] == old.history
+    _stop_after(Run(stage_config("lsq-3-III", scene, tmp_path / "parts", quantised), ALONE, None), 3)
+    Run(stage_config("lsq-3-III", scene, tmp_path / "parts", quantised), ALONE, None, resume=True).train()
+    resumed, whole = load_file(tmp_path / "parts" / MODEL), load_file(tmp_path / "on" / MODEL)
+    assert all(torch.equal(resumed[key], value) for key, value in whole.items())
+
+
+def test_commands_of_a_network_trained_on_name_what_it_started_from(scene, tmp_path, quantised, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(quantised, "first.safetensors")
+    path = Run(stage_config("lsq-3-III", scene, Path("on"), "first.safetensors"), ALONE, None).train()
+    root = Path(__file__).resolve().parents[2] / "configs"
+    files = [root / "train-quarter-wdr.toml", *(2 * [root / "train-quarter-w3a3.toml"])]
+    commands = [record["command"] for record in stage_records(load_model(path)[1], files)]
+    assert "--set run.init=first.safetensors --set run.out=on" in commands[2]
+    assert not any("run.init" in command for command in commands[:2])
 
 
 def test_damaged_checkpoints_are_named(tmp_path, wdr):

@@ -212,7 +212,7 @@ def read_plan(path: Path = PLAN) -> Plan:
     Raises:
         ValueError: no such file, not TOML, a field that is unknown, missing or out of range, a name that is there
             twice, or a row that continues one that does not stand before it or has
-            several seeds but not all of its.
+            several seeds but not all of its; a quantised row that continues one.
     """
     try:
         table = tomllib.loads(path.read_text())
@@ -239,6 +239,10 @@ def read_plan(path: Path = PLAN) -> Plan:
             raise ValueError(
                 f"{path}: row {row.name!r} continues {row.after!r}, which must stand before it, with its seeds or "
                 "with one alone"
+            )
+        if row.group == "quantised" and row.after and rows[row.after].group == "quantised":
+            raise ValueError(
+                f"{path}: row {row.name!r} continues {row.after!r}, which is quantised; losses are against a float row"
             )
         rows[row.name] = row
     return Plan(scoring, training, refined, tuple(rows.values()))

@@ -1,7 +1,6 @@
 """Quantisers of activations while training on the CPU, one pass over memory each way, in C++.
 
-PyTorch's operations read and write a map a dozen times for the same. On a GPU `macram.quant.one_pass` compiles
-them to as many passes as here.
+PyTorch's operations read and write a map a dozen times for the same. On a GPU `macram.quant.one_pass` does it.
 """
 
 from __future__ import annotations
@@ -57,12 +56,16 @@ def _call(name: str, tensors: tuple[Tensor, ...], bounds: tuple[int, int]) -> No
     _kernel(name, v.dtype)(v.numel(), torch.get_num_threads(), *pointers, *bounds)
 
 
-class OnePassQuantizer(LsqQuantizer):
+class CpuQuantizer(LsqQuantizer):
     """A quantiser of activations that is one pass each way while training."""
 
     def forward(self, v: Tensor) -> Tensor:
-        """As `LsqQuantizer.forward`; the sum of the step's gradient alone is rounded otherwise."""
-        possible = v.dim() == 4 and v.numel() > 0 and v.dtype in KERNELS and self.step.dtype == torch.float32
+        """As `LsqQuantizer.forward`. In float32 the step's gradient alone is rounded otherwise.
+
+        Of bfloat16, which PyTorch's operations round at each step, results alone are rounded here.
+        """
+        possible = v.device.type == "cpu" and v.dtype in KERNELS and self.step.dtype == torch.float32
+        possible = possible and v.dim() == 4 and v.numel() > 0
         if self.observer is not None or not torch.is_grad_enabled() or not possible:
             return super().forward(v)
         bounds = self.code_format.lo, self.code_format.hi
@@ -76,4 +79,4 @@ def fuse_quantizers(module: nn.Module) -> None:
     for layer in module.modules():
         if type(layer) is LsqQuantizer and layer.batched and layer.step.dim() == 0:
             # The same parameters, names and state under another forward, as for batch normalisation.
-            layer.__class__ = OnePassQuantizer
+            layer.__class__ = CpuQuantizer

@@ -29,15 +29,17 @@ def stage_records(card: Card, configs: Sequence[Path]) -> list[dict[str, Any]]:
         raise ValueError(
             f"the network had {len(card.history)} stages; give as many configurations, not {len(configs)}"
         )
-    records = []
+    records: list[dict[str, Any]] = []
     for path, record in zip(configs, card.history, strict=True):
         config = record["config"]
+        # A configuration starts from the stage before by itself, but never from one of its own kind.
+        again = bool(records) and records[-1]["stage"] == config["run"]["stage"]
         if (stage := load_config(path).run.stage) != config["run"]["stage"]:
             raise ValueError(f"{path}: is of stage {stage}, the network's was {config['run']['stage']}")
         records.append(
             {
                 "stage": config["run"]["stage"],
-                "command": train_command(path, config),
+                "command": train_command(path, config, ("run.init", "run.out") if again else ()),
                 "seed": config["run"]["seed"],
                 "steps": record["step"],
                 "images": record["visits"],
@@ -47,13 +49,23 @@ def stage_records(card: Card, configs: Sequence[Path]) -> list[dict[str, Any]]:
     return records
 
 
-def train_command(path: Path, config: Mapping[str, Any]) -> str:
-    """``macram train PATH --set ...`` that gives ``config``, folders of this machine apart."""
+def train_command(path: Path, config: Mapping[str, Any], named: Sequence[str] = ()) -> str:
+    """``macram train PATH --set ...`` that gives ``config``, folders of this machine apart.
+
+    Args:
+        path: the configuration file.
+        config: what the run had.
+        named: settings to name though they say where: relative paths.
+    """
     words, base = ["macram", "train", path.as_posix()], load_config(path)
     changes = differences(base.to_dict(), completed(config))
     root = Path(config["data"]["root"])
     if not root.is_absolute() and root != Path(base.data.root):
         changes["data.root"] = root.as_posix()
+    for key in named:
+        table, name = key.split(".")
+        if not Path(config[table][name]).is_absolute():
+            changes[key] = config[table][name]
     for key, value in sorted(changes.items()):
         words += ["--set", f"{key}={value if isinstance(value, str) else _toml(value)}"]
     return shlex.join(words)

@@ -33,7 +33,9 @@ class RunSettings:
     Attributes:
         stage: one of `STAGES`.
         out: folder of checkpoints and logs.
-        init: checkpoint to start from; empty for none. Stage wdr needs none, the others do.
+        init: checkpoint to start from; empty for none. Stage wdr needs none, the others do. Stage lsq starts from a
+            float network, or goes on with one of its bits and mode: better from the run's own file than from a
+            packed one, which has forgotten how near the weights were to other codes.
         backbone: file with weights of the backbone alone, such as ImageNet's, in this project's tensor names or
             pytorchcv's; see `macram.train.pretrained`. Empty for none.
         seed: decides weights, order of the frames and every random view.
@@ -205,7 +207,7 @@ class QuantSettings:
     Attributes:
         mode: ``I`` backbone, ``II`` pyramids too, ``III`` head too.
         bits: of weights and activations, 3 or 8.
-        calibration: images that set the activation steps.
+        calibration: images that set the activation steps; a network that has them keeps them.
     """
 
     mode: str = "III"
