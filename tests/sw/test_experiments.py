@@ -223,14 +223,6 @@ def test_a_broken_plan_is_one_line(plan, old, new, message, tmp_path):
     assert "\n" not in str(error.value)
 
 
-def test_a_quantised_row_continues_a_float_one(plan, tmp_path):
-    path = tmp_path / "plan.toml"
-    for group in ("seeds", "questions"):
-        path.write_text(path.read_text().replace(f'group = "{group}"', 'group = "quantised"'))
-    with pytest.raises(ValueError, match="'second' continues 'first', which is quantised"):
-        read_plan(path)
-
-
 def test_seeds_continue_the_only_one_there_is(plan, tmp_path):
     path = tmp_path / "plan.toml"
     path.write_text(

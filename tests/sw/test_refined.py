@@ -162,16 +162,23 @@ def test_more_data_stands_beside_the_same_training_on_less(tmp_path):
 
 
 def test_a_quantised_row_loses_against_the_float_row_of_its_seed(tmp_path):
-    plan = rows(tmp_path, {"float": ("seeds", "", (1, 2)), "w3": ("quantised", "float", (2,))})
+    plan = rows(tmp_path, {
+        "float": ("seeds", "", (1, 2)), "w3": ("quantised", "float", (2,)), "on": ("quantised", "w3", (2,)),
+    })  # fmt: skip
+    assert [job.unquantised() and job.unquantised().key for job in plan.jobs()] == [
+        None, None, "float.s2", "float.s2",
+    ]  # fmt: skip
     for key, add in {
         "float.s1": [0.05] * 4,
         "float.s2": [0.05, 0.05, 0.3, 0.3],
         "w3.s2": [0.05, 0.3, 0.3, 0.3],
+        "on.s2": [0.3, 0.3, 0.3, 0.3],
     }.items():
         write(tmp_path / key, "result.json", "frames.csv", [0.3] * 4)
         write(tmp_path / key, "refined.json", "refined.csv", add)
     text = "\n".join(beside.quantised(finished(plan, tmp_path)))
     assert "| W3 | 0.00 | 25.00 | 0.00 | 25.00 | 100.00 | 100.00 | -25.0 (" in text
+    assert "| On | 0.00 | 0.00 | 0.00 | 0.00 | 100.00 | 100.00 | -50.0 (" in text
 
 
 def write_seeds(results, name, single, refined=None):

@@ -42,7 +42,7 @@ def quantised(done: Sequence[Finished]) -> list[str]:
     if not any(f.refined for f in rows):
         return []
     floats = {f.job.key: f for f in done}
-    bases = [None if (before := f.job.before()) is None else floats.get(before.key) for f in rows]
+    bases = [None if (before := f.job.unquantised()) is None else floats.get(before.key) for f in rows]
     return [
         f"ADD of the training graph on the same frames, all distances, by a single look and refined:\n\n"
         f"{_beside(rows, bases, 'refined loss, points (95 %)')}"

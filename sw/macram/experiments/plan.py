@@ -163,6 +163,13 @@ class Job:
         row = self.plan.row(self.row.after)
         return Job(self.plan, row, row.seeds[0] if len(row.seeds) == 1 else self.seed)
 
+    def unquantised(self) -> Job | None:
+        """The nearest job before this one that is no quantised row: what losses are against."""
+        before = self.before()
+        while before is not None and before.row.group == "quantised":
+            before = before.before()
+        return before
+
     def folder(self, runs: Path) -> Path:
         """Of checkpoints and logs."""
         return runs / self.key
@@ -212,7 +219,7 @@ def read_plan(path: Path = PLAN) -> Plan:
     Raises:
         ValueError: no such file, not TOML, a field that is unknown, missing or out of range, a name that is there
             twice, or a row that continues one that does not stand before it or has
-            several seeds but not all of its; a quantised row that continues one.
+            several seeds but not all of its.
     """
     try:
         table = tomllib.loads(path.read_text())
@@ -239,10 +246,6 @@ def read_plan(path: Path = PLAN) -> Plan:
             raise ValueError(
                 f"{path}: row {row.name!r} continues {row.after!r}, which must stand before it, with its seeds or "
                 "with one alone"
-            )
-        if row.group == "quantised" and row.after and rows[row.after].group == "quantised":
-            raise ValueError(
-                f"{path}: row {row.name!r} continues {row.after!r}, which is quantised; losses are against a float row"
             )
         rows[row.name] = row
     return Plan(scoring, training, refined, tuple(rows.values()))

@@ -126,12 +126,13 @@ def more_data(done: Sequence[Finished]) -> list[str]:
 def quantised(done: Sequence[Finished], cited: dict[str, Any]) -> list[str]:
     """Quantised networks beside the float one they come from, and the paper's losses."""
     rows = [f for f in done if f.job.row.group == "quantised"]
-    floats = {f.job.row.name: f for f in done}
+    by_key = {f.job.key: f for f in done}
     if not rows:
         return []
     lines = []
     for f in rows:
-        base = floats.get(f.job.row.after)
+        before = f.job.unquantised()
+        base = None if before is None else by_key.get(before.key)
         loss = (
             ["-"]
             if base is None
