@@ -106,17 +106,21 @@ def test_mixed_precision_rounds_once():
     compare(ours[3:], theirs[3:], safe, 1e-4, 1e-3)
 
 
-def test_results_do_not_depend_on_threads():
-    x = torch.randn(8, 48, 40, 41, generator=torch.Generator().manual_seed(1))
+def same_with_any_threads(compute):
     threads, results = torch.get_num_threads(), []
     try:
         for count in (1, 2, 3):
             torch.set_num_threads(count)
-            results.append(outcome(pair(48)[1], x, x, x)[1])
+            results.append(compute())
     finally:
         torch.set_num_threads(threads)
     for other in results[1:]:
         assert all(torch.equal(a, b) for a, b in zip(results[0], other, strict=True))
+
+
+def test_results_do_not_depend_on_threads():
+    x = torch.randn(8, 48, 40, 41, generator=torch.Generator().manual_seed(1))
+    same_with_any_threads(lambda: outcome(pair(48)[1], x, x, x)[1])
 
 
 def test_constant_channels_and_gradients_of_one_number():
@@ -279,15 +283,7 @@ def test_a_quantiser_passes_on_what_is_no_number_and_holds_its_smallest_step():
 
 def test_a_quantisers_sum_does_not_depend_on_threads():
     v = torch.randn(8, 16, 60, 61, generator=torch.Generator().manual_seed(2))
-    threads, results = torch.get_num_threads(), []
-    try:
-        for count in (1, 2, 3):
-            torch.set_num_threads(count)
-            results.append(quantised(quantizers(IntFormat(3), 0.3)[1], v, v.flip(0)))
-    finally:
-        torch.set_num_threads(threads)
-    for other in results[1:]:
-        assert all(torch.equal(a, b) for a, b in zip(results[0], other, strict=True))
+    same_with_any_threads(lambda: quantised(quantizers(IntFormat(3), 0.3)[1], v, v.flip(0)))
 
 
 def test_a_quantiser_of_values_without_gradient_and_of_one_gradient_for_all():
