@@ -21,7 +21,7 @@ from macram.experiments import refined as refined_module
 from macram.experiments import run as run_module
 from macram.experiments.page import page
 from macram.experiments.plan import Source, read_plan, read_result
-from macram.experiments.run import run_job
+from macram.experiments.run import record_job, run_job
 from macram.experiments.statistics import Frames, difference, limits, read_frames, share, share_interval
 from macram.pose import EdgeSettings, LookSettings, PoseSettings
 from macram.train.config import load_config
@@ -206,6 +206,12 @@ def test_a_network_of_another_configuration_is_no_record_of_a_row(plan, tmp_path
         ('name = "second"', 'name = "first"', "is there twice"),
         ('after = "first"', 'after = "third"', "must stand before it"),
         ("seeds = [1]\n", "seeds = [3]\n", "with its seeds"),
+        ('after = "first"', 'teacher = "third"', "imitates 'third', which must stand before it"),
+        (
+            'after = "first"\nseeds = [1]',
+            'teacher = "first"\nseeds = [3]',
+            "imitates 'first'.*with its seeds",
+        ),
         ('title = "First"', 'colour = "red"', "unknown field 'colour'"),
         ('group = "seeds"', 'group = "others"', "group must be one of"),
         ("looks = 2", "looks = 2.5", r"\[refined\] .*whole number"),
@@ -235,6 +241,30 @@ def test_seeds_continue_the_only_one_there_is(plan, tmp_path):
     assert one.config(tmp_path).run.seed == 1
 
 
+def test_a_row_trains_the_one_it_imitates_and_its_command_names_it(plan, tmp_path, monkeypatch):
+    (tmp_path / "lsq.toml").write_text(TINY.format(stage="lsq", init='init = "unused"'))
+    row = '[[row]]\nname = "{}"\ntitle = "Third"\ngroup = "quantised"\nconfig = "{}/lsq.toml"\nafter = "{}"\n{}\n'
+    path = tmp_path / "plan.toml"
+    text = path.read_text().replace("seeds = [1, 2]", "seeds = [1]")
+    text += row.format("alone", tmp_path, "first", "seeds = [1]")
+    path.write_text(text + row.format("taught", tmp_path, "first", 'teacher = "second"\nseeds = [1]'))
+    _, second, alone, taught = read_plan(path).jobs()
+    assert taught.teacher() == second
+    assert alone.teacher() is None
+    monkeypatch.chdir(tmp_path)
+    runs, results = Path("kept"), Path("results")
+    assert taught.config(runs).quant.teacher == "kept/second.s1/model.safetensors"
+    record = read_result(run_job(taught, runs, results, Console(quiet=True)))
+    assert "--set quant.teacher=kept/second.s1/model.safetensors" in record["train_command"]
+    assert alone.state(runs, results) == "waiting"
+    # Where the teacher lay does not count; that there was one does.
+    record_job(taught, taught.folder(runs), Path("again"), device="cpu")
+    with pytest.raises(
+        ValueError, match=r"alone\.s1: the network was trained with quant\.teacher = 'kept/second"
+    ):
+        record_job(alone, taught.folder(runs), Path("again"), device="cpu")
+
+
 def test_a_seed_the_plan_does_not_have_continues_no_other(plan):
     assert plan.job("second", 7).before().key == "first.s7"
 
@@ -251,8 +281,8 @@ def test_every_row_is_a_configuration_that_loads(monkeypatch):
     for job in read_plan().jobs():
         config = job.config(Path("build/experiments"))
         assert config.run.seed == job.seed
-        before = job.before()
-        assert bool(config.run.init) == (before is not None)
+        assert bool(config.run.init) == (job.before() is not None)
+        assert bool(config.quant.teacher) == (job.teacher() is not None)
 
 
 def test_the_page_is_what_its_records_give(monkeypatch):

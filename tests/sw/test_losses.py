@@ -8,7 +8,13 @@ import numpy as np
 import pytest
 import torch
 
-from macram.train.losses import focal_loss, object_space_loss, similarity_loss, surface_loss
+from macram.train.losses import (
+    focal_loss,
+    imitation_loss,
+    object_space_loss,
+    similarity_loss,
+    surface_loss,
+)
 
 K = torch.tensor([[300.0, 0, 256], [0, 300.0, 256], [0, 0, 1]])
 
@@ -114,6 +120,34 @@ def test_similarity_by_hand_and_only_the_pseudo_side_learns():
     loss.backward()
     assert pseudo[0].grad is not None
     assert goal[0].grad is None
+
+
+def test_imitation_by_hand_and_only_the_student_learns():
+    # One picture, two channels, two cells of which the second is on the target; then a level without any.
+    student = torch.tensor([[[[1.0, 2.0]], [[0.0, 1.0]]]], requires_grad=True)
+    teacher = torch.tensor([[[[1.0, 0.0]], [[2.0, 1.0]]]], requires_grad=True)
+    above = torch.full((1, 2, 1, 1), 3.0), torch.full((1, 2, 1, 1), 4.0)
+    on = [torch.tensor([[False, True]]), torch.tensor([[False]])]
+    loss = imitation_loss((student, above[0]), (teacher, above[1]), on)
+    wanted = (8 / 6 + 4 / 1 + 2 / 32 + 0) / 4
+    assert loss.item() == pytest.approx(wanted, rel=1e-6)
+    loss.backward()
+    assert teacher.grad is None
+    assert student.grad[0, :, 0, 0].tolist() == pytest.approx([0, 2 * -2 / 6 / 4])
+    assert student.grad[0, :, 0, 1].tolist() == pytest.approx([2 * 2 * (1 / 6 + 1) / 4, 0])
+
+
+def test_imitation_is_a_sum_over_pictures_whatever_their_scale():
+    generator = torch.Generator().manual_seed(3)
+    maps = torch.randn((2, 3, 4, 2, 5), generator=generator)
+    student, teacher = maps[0].clone(), maps[1].clone()
+    on = torch.rand((3, 10), generator=generator) < 0.4
+    whole = imitation_loss([student], [teacher], [on]).item()
+    parts = [imitation_loss([student[i : i + 1]], [teacher[i : i + 1]], [on[i : i + 1]]) for i in range(3)]
+    assert whole == pytest.approx(sum(part.item() for part in parts), rel=1e-5)
+    assert imitation_loss([100 * student], [100 * teacher], [on]).item() == pytest.approx(whole, rel=1e-5)
+    assert imitation_loss([teacher], [teacher], [on]).item() == 0
+    assert imitation_loss([0 * teacher], [teacher], [on]).item() == pytest.approx(3, rel=1e-5)
 
 
 def test_surface_loss_by_hand_and_misses_do_not_count():

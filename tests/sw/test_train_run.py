@@ -336,6 +336,60 @@ def test_commands_of_a_network_trained_on_name_what_it_started_from(scene, tmp_p
     assert not any("run.init" in command for command in commands[:2])
 
 
+def taught(scene, out, init, teacher, **tables):
+    quant = {"bits": 3, "mode": "III", "teacher": str(teacher)}
+    return config(scene, out, "lsq", run={"init": str(init)}, quant=quant, **tables)
+
+
+def distance(net, teacher, image):
+    """How far the features that the head reads are from a teacher's, relative to these."""
+    with torch.no_grad():
+        pairs = zip(net.eval().features(image).direct, teacher.eval().features(image).direct, strict=True)
+        return sum(((mine - goal).square().sum() / goal.square().sum()).item() for mine, goal in pairs)
+
+
+def test_a_quantised_network_comes_to_imitate_its_teacher(scene, tmp_path, wdr):
+    without_labels = {"classes": 0.0, "pose": 0.0, "imitation": 10.0}
+    schedule = {"steps": 100, "batch": 4, "warmup": 2}
+    imitating = Run(
+        taught(scene, tmp_path / "on", wdr, wdr, schedule=schedule, loss=without_labels), ALONE, None
+    )
+    float_net, _ = load_model(wdr)
+    image = imitating.feed.plain(8)
+    before = distance(imitating.stage.net, float_net, image)
+    path = imitating.train()
+    assert distance(load_model(path)[0], float_net, image) < 0.8 * before
+    # The teacher stays, statistics included.
+    kept = imitating.stage.teacher.net.state_dict()
+    assert all(torch.equal(kept[name], value) for name, value in float_net.state_dict().items())
+    with (tmp_path / "on" / "log.csv").open(newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["loss"]]
+    assert all(float(row["loss"]) == pytest.approx(float(row["imitation"]), rel=1e-4) for row in rows)
+
+
+def test_an_imitating_run_resumes_bit_for_bit(scene, tmp_path, wdr):
+    whole = Run(taught(scene, tmp_path / "whole", wdr, wdr), ALONE, None).train()
+    parts = taught(scene, tmp_path / "parts", wdr, wdr)
+    _stop_after(Run(parts, ALONE, None), 3)
+    resumed = load_file(Run(parts, ALONE, None, resume=True).train())
+    plain = load_file(Run(stage_config("lsq-3-III", scene, tmp_path / "plain", wdr), ALONE, None).train())
+    assert all(torch.equal(resumed[name], value) for name, value in load_file(whole).items())
+    assert not all(torch.equal(plain[name], value) for name, value in resumed.items())
+
+
+def test_unsuitable_teachers_are_refused(scene, tmp_path, wdr, quantised):
+    with pytest.raises(ValueError, match=r"is quantised; set quant\.teacher to a float network"):
+        Run(taught(scene, tmp_path / "on", wdr, quantised), ALONE, None)
+    with pytest.raises(ValueError, match=r"none\.safetensors: no such checkpoint"):
+        Run(taught(scene, tmp_path / "on", wdr, "none.safetensors"), ALONE, None)
+    wide = Run(config(scene, tmp_path / "wide", network={"size": "eighth", "image_size": 64}), ALONE, None)
+    wide.folder.mkdir()
+    wide.save()
+    with pytest.raises(ValueError, match=r"its pyramid has \d+ channels.*of the same size"):
+        Run(taught(scene, tmp_path / "on", wdr, wide.folder / MODEL), ALONE, None)
+    assert not (tmp_path / "on").exists()
+
+
 def test_damaged_checkpoints_are_named(tmp_path, wdr):
     cut = tmp_path / "cut.safetensors"
     cut.write_bytes(wdr.read_bytes()[:-100])

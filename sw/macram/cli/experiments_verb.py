@@ -126,6 +126,7 @@ def _list(arguments: argparse.Namespace) -> int:
             "seed": job.seed,
             "title": job.row.title,
             "after": job.row.after,
+            "teacher": job.row.teacher,
             "state": state,
         }
         if state == "finished":
@@ -147,7 +148,8 @@ def _list(arguments: argparse.Namespace) -> int:
     for row in rows:
         scores = [f"{row[key]:.2f} %" if key in row else "" for key in ("add_0.1", "refined_add_0.1")]
         scores[1] = "refine again" if "refined_error" in row else scores[1]
-        table.add_row(row["row"], str(row["seed"]), row["title"], row["after"], row["state"], *scores)
+        sources = row["after"] + (f", imitates {row['teacher']}" if row["teacher"] else "")
+        table.add_row(row["row"], str(row["seed"]), row["title"], sources, row["state"], *scores)
     open_console().print(table)
     return OK
 

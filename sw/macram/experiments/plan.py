@@ -33,6 +33,7 @@ class Row:
         config: training configuration.
         set: dotted keys and values over the configuration's.
         after: row whose network it continues; empty for none.
+        teacher: row whose network it imitates; empty for none.
         seeds: one job each.
     """
 
@@ -42,6 +43,7 @@ class Row:
     config: Path
     set: dict[str, Any] = field(default_factory=dict)
     after: str = ""
+    teacher: str = ""
     seeds: tuple[int, ...] = (DEFAULT_SEED,)
 
 
@@ -158,9 +160,16 @@ class Job:
 
     def before(self) -> Job | None:
         """The job whose network this one continues: of the same seed, or the only one of its row."""
-        if not self.row.after:
+        return self._of(self.row.after)
+
+    def teacher(self) -> Job | None:
+        """The job whose network this one imitates: of the same seed, or the only one of its row."""
+        return self._of(self.row.teacher)
+
+    def _of(self, name: str) -> Job | None:
+        if not name:
             return None
-        row = self.plan.row(self.row.after)
+        row = self.plan.row(name)
         return Job(self.plan, row, row.seeds[0] if len(row.seeds) == 1 else self.seed)
 
     def unquantised(self) -> Job | None:
@@ -180,15 +189,15 @@ class Job:
         Raises:
             ValueError: the configuration or a change to it is wrong.
         """
-        before = self.before()
         changes = {
             "data.root": str(self.plan.training.data),
             **self.row.set,
             "run.seed": self.seed,
             "run.out": str(self.folder(runs)),
         }
-        if before is not None:
-            changes["run.init"] = str(before.folder(runs) / MODEL)
+        for key, job in (("run.init", self.before()), ("quant.teacher", self.teacher())):
+            if job is not None:
+                changes[key] = str(job.folder(runs) / MODEL)
         return load_config(self.row.config, changes)
 
     def state(self, runs: Path, results: Path) -> str:
@@ -218,8 +227,8 @@ def read_plan(path: Path = PLAN) -> Plan:
 
     Raises:
         ValueError: no such file, not TOML, a field that is unknown, missing or out of range, a name that is there
-            twice, or a row that continues one that does not stand before it or has
-            several seeds but not all of its.
+            twice, or a row that continues or imitates one that does not stand before it or has several seeds but
+            not all of its.
     """
     try:
         table = tomllib.loads(path.read_text())
@@ -242,17 +251,18 @@ def read_plan(path: Path = PLAN) -> Plan:
         row = _row(path, entry)
         if row.name in rows:
             raise ValueError(f"{path}: row {row.name!r} is there twice")
-        if row.after and not (row.after in rows and _continues(row, rows[row.after])):
-            raise ValueError(
-                f"{path}: row {row.name!r} continues {row.after!r}, which must stand before it, with its seeds or "
-                "with one alone"
-            )
+        for verb, other in (("continues", row.after), ("imitates", row.teacher)):
+            if other and not (other in rows and _has_one_for_each(rows[other], row)):
+                raise ValueError(
+                    f"{path}: row {row.name!r} {verb} {other!r}, which must stand before it, with its seeds or "
+                    "with one alone"
+                )
         rows[row.name] = row
     return Plan(scoring, training, refined, tuple(rows.values()))
 
 
-def _continues(row: Row, before: Row) -> bool:
-    """Whether each seed has a network to continue: its own, or the only one there is."""
+def _has_one_for_each(before: Row, row: Row) -> bool:
+    """Whether ``before`` has a network for each seed of ``row``: its own, or the only one there is."""
     return len(before.seeds) == 1 or set(row.seeds) <= set(before.seeds)
 
 

@@ -45,7 +45,7 @@ def run_job(
     """Brings one job to its record; what is done already is not done again.
 
     Args:
-        job: to run; the rows it continues are trained first where their networks are not there.
+        job: to run; the rows it continues or imitates are trained first where their networks are not there.
         runs: folder of checkpoints.
         results: folder of records.
         console: for the progress of the training.
@@ -69,12 +69,12 @@ def run_job(
 
 
 def train_job(job: Job, runs: Path, console: Console) -> None:
-    """Trains a job, and before it those it continues, as far as they are not trained yet."""
+    """Trains a job, and before it those it continues or imitates, as far as they are not trained yet."""
     if job.trained(runs):
         return
-    before = job.before()
-    if before is not None:
-        train_job(before, runs, console)
+    for needed in (job.before(), job.teacher()):
+        if needed is not None:
+            train_job(needed, runs, console)
     config = job.config(runs)
     if source := job.plan.source(config.data.root):
         source.check()

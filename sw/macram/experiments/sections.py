@@ -138,7 +138,7 @@ def quantised(done: Sequence[Finished], cited: dict[str, Any]) -> list[str]:
             if base is None
             else ["{:+.1f} ({:+.1f} to {:+.1f})".format(*statistics.difference(f.frames, base.frames))]
         )
-        theirs = cited["quantised"].get(f.job.row.title)
+        theirs = cited["quantised"].get(f"{f.table['bits']} bit, mode {f.table['mode']}")
         paper = cited["swisscube"]["CA-SpaceNet"][-1]
         lines.append(
             [f.job.row.title, *_scores(f), *loss, "-" if theirs is None else f"{theirs - paper:+.2f}"]
@@ -148,10 +148,22 @@ def quantised(done: Sequence[Finished], cited: dict[str, Any]) -> list[str]:
         "same frames; the paper's "
         "loss, on SwissCube, is against its float CA-SpaceNet. Operations and shares per mode, to every "
         "digit of table IV: "
-        "`macram counts`.",
+        "`macram counts`." + _taught(rows),
         table(["row", *SCORE_COLUMNS, "loss, points (95 %)", "paper's loss"], lines),
         *_integers([f for f in rows if f.integers is not None]),
     ]
+
+
+def _taught(rows: Sequence[Finished]) -> str:
+    """Which rows learned from more than labels; empty if none did."""
+    taught = [f"*{f.job.row.title}*" for f in rows if f.job.row.teacher]
+    if not taught:
+        return ""
+    return (
+        f" {', '.join(taught)}: goes on with the row above of its bits and mode and, beside the labels, imitates the "
+        "float network's features (`quant.teacher`), which the paper does not do; *images* and *minutes* are of that "
+        "second run alone."
+    )
 
 
 def _integers(rows: Sequence[Finished]) -> list[str]:

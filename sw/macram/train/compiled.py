@@ -10,6 +10,10 @@ import platform
 import subprocess
 import tempfile
 from pathlib import Path
+from typing import Any
+
+import numpy as np
+from torch import Tensor
 
 from macram.kept import kept
 
@@ -38,6 +42,29 @@ def library(name: str) -> ctypes.CDLL | None:
         return ctypes.CDLL(str(path))
     except (OSError, RuntimeError, subprocess.SubprocessError):  # RuntimeError: nobody's home is known
         return None
+
+
+def call(name: str, function: str, *arguments: Any) -> None:
+    """Calls a function of the library ``name``, which is there.
+
+    Args:
+        name: see `library`.
+        function: without a result.
+        arguments: tensors and arrays, whose memory is passed by address as it lies; None is the null pointer. Whole
+            numbers go as ``std::int64_t``, others as ``double``.
+    """
+    passed: list[Any] = []
+    for value in arguments:
+        if isinstance(value, Tensor):
+            passed.append(ctypes.c_void_p(value.data_ptr()))
+        elif isinstance(value, np.ndarray):
+            assert value.flags.c_contiguous
+            passed.append(ctypes.c_void_p(value.ctypes.data))
+        elif value is None:
+            passed.append(ctypes.c_void_p())
+        else:
+            passed.append(ctypes.c_int64(value) if isinstance(value, int) else ctypes.c_double(value))
+    getattr(library(name), function)(*passed)
 
 
 def _compile(source: Path, path: Path) -> None:

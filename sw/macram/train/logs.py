@@ -15,7 +15,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 COLUMNS = (
     "step", "visits", "minutes", "lr", "size", "img_s", "loading", "loss", "class", "pose", "surface", "similarity",
-    "ideal", "grad_norm", "add_0.1", "add_0.2", "add_0.5", "misses",
+    "ideal", "imitation", "grad_norm", "add_0.1", "add_0.2", "add_0.5", "misses",
 )  # fmt: skip
 """Of log.csv. Losses are weighted, per 8 images; add_* and misses are percentages of validation frames; loading is
 the percentage of the time since the last line in which this process read, warped and labelled pictures."""

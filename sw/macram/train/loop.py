@@ -78,7 +78,7 @@ class Run:
         if config.data.validation:  # now, not when the first scores are due
             validation_frames(self.config)
         self.frames = self._packed()
-        self.stage = Stage(config, self.frames)
+        self.stage = Stage(config, self.frames, device)
         if any(min(p.batch or config.schedule.batch for p in config.crops) < n for n in [processes.world]):
             raise ValueError(f"every batch needs an image for each of the {processes.world} processes")
         self.stage.module.to(device).to(memory_format=torch.channels_last)  # type: ignore[call-overload]

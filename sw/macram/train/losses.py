@@ -8,6 +8,7 @@ GPU can work through them without the host.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import torch
@@ -19,6 +20,7 @@ from macram.train.targets import BACKGROUND, MISSED, POSITIVE, sight
 FOCAL_GAMMA = 2
 FOCAL_ALPHA = 0.25
 PROBABILITY_FLOOR = 1e-6
+SQUARES_FLOOR = 1e-6
 POSE_SCALE = 50.0
 """Puts the knee of the pose loss at 1/50 of the diameter; the published SPEED code has 200."""
 
@@ -32,6 +34,7 @@ class LossWeights:
         pose: of `object_space_loss`.
         similarity: of `similarity_loss`; 0.25 in the paper, 1 in the published SwissCube code.
         surface: of the training-only head's loss; departs from the paper.
+        imitation: of `imitation_loss`; read where there is a teacher.
         pose_scale: see `POSE_SCALE`; read by the pose loss.
 
     Raises:
@@ -42,10 +45,11 @@ class LossWeights:
     pose: float = 0.1
     similarity: float = 0.25
     surface: float = 0.1
+    imitation: float = 1.0
     pose_scale: float = POSE_SCALE
 
     def __post_init__(self) -> None:
-        for name in ("classes", "pose", "similarity", "surface"):
+        for name in ("classes", "pose", "similarity", "surface", "imitation"):
             if not 0 <= getattr(self, name) < math.inf:
                 raise ValueError(f"loss.{name} must be a number of at least 0, not {getattr(self, name)!r}")
         if not 0 < self.pose_scale < math.inf:
@@ -112,6 +116,28 @@ def similarity_loss(pseudo: tuple[Tensor, ...], counterfactual: tuple[Tensor, ..
         for mine, goal in zip(pseudo, counterfactual, strict=True)
     ]
     return torch.stack(terms).sum()
+
+
+def imitation_loss(student: Sequence[Tensor], teacher: Sequence[Tensor], inside: Sequence[Tensor]) -> Tensor:
+    """Sum over images of how far the features are from a teacher's, relative to these: 0 if equal, 1 if all zero.
+
+    Per image and level the squared distance over the teacher's squares, once over all cells and once over those on
+    the target, which are few and carry the pose; mean over both and over the levels. A level without a cell on the
+    target counts 0 there.
+
+    Args:
+        student: one ``[N, C, H, W]`` per level.
+        teacher: the same shapes; taken as constants.
+        inside: bool ``[N, H * W]`` per level, cells on the target.
+    """
+    terms = []
+    for mine, theirs, on in zip(student, teacher, inside, strict=True):
+        goal = theirs.detach().float()
+        apart = (mine.float() - goal).square().sum(1).flatten(1)
+        squares = goal.square().sum(1).flatten(1)
+        for cells in (torch.ones_like(on), on):
+            terms.append((apart * cells).sum(1) / (squares * cells).sum(1).clamp_min(SQUARES_FLOOR))
+    return torch.stack(terms).mean(0).sum()
 
 
 def surface_loss(outputs: Tensor, faces: Tensor, coordinates: Tensor) -> Tensor:

@@ -57,12 +57,12 @@ double gradients(const Shape &shape, const T *v, const T *grad, T *to_v, float s
 }  // namespace
 
 #define EXPORTED(NAME, T)                                                                                    \
-    extern "C" void quantise_##NAME(Size count, int threads, const T *v, T *y, const float *step, float low, \
-                                    float high) {                                                            \
+    extern "C" void quantise_##NAME(Size count, Size threads, const T *v, T *y, const float *step,           \
+                                    double low, double high) {                                               \
         quantise(Shape(count, 1, threads), v, y, *step, low, high);                                          \
     }                                                                                                        \
-    extern "C" void gradients_##NAME(Size count, int threads, const T *v, const T *grad, T *to_v,            \
-                                     float *to_step, const float *step, float low, float high) {             \
+    extern "C" void gradients_##NAME(Size count, Size threads, const T *v, const T *grad, T *to_v,           \
+                                     float *to_step, const float *step, double low, double high) {           \
         *to_step = float(gradients(Shape(count, 1, threads), v, grad, to_v, *step, low, high));              \
     }
 

@@ -5,8 +5,6 @@ PyTorch's operations read and write a map a dozen times for the same. On a GPU `
 
 from __future__ import annotations
 
-import ctypes
-import functools
 from typing import Any, cast
 
 import torch
@@ -14,7 +12,7 @@ from torch import Tensor, nn
 from torch.autograd.function import once_differentiable
 
 from macram.quant.lsq import MIN_STEP, LsqQuantizer
-from macram.train.compiled import library
+from macram.train.compiled import call, library
 from macram.train.norm_relu import KERNELS
 
 
@@ -27,7 +25,7 @@ class _Lsq(torch.autograd.Function):
         positive, y = step.clamp_min(MIN_STEP), torch.empty_like(v)
         ctx.save_for_backward(v, positive)
         ctx.bounds, ctx.scale = bounds, scale
-        _call("quantise", (v, y, positive), bounds)
+        _call("quantise", v, y, positive, bounds=bounds)
         return y
 
     @staticmethod
@@ -36,24 +34,15 @@ class _Lsq(torch.autograd.Function):
         v, step = ctx.saved_tensors
         grad = grads[0].contiguous(memory_format=torch.channels_last)
         to_v, to_step = torch.empty_like(v), torch.empty_like(step)
-        _call("gradients", (v, grad, to_v, to_step, step), ctx.bounds)
+        _call("gradients", v, grad, to_v, to_step, step, bounds=ctx.bounds)
         return to_v, to_step * ctx.scale, None, None
 
 
-@functools.cache
-def _kernel(name: str, dtype: torch.dtype) -> Any:
-    """A function of ``lsq.cpp``: elements, threads, pointers, lowest and highest code."""
-    kernel = getattr(library("lsq"), f"{name}_{KERNELS[dtype]}")
-    pointers = {"quantise": 3, "gradients": 5}[name]
-    kernel.argtypes = (ctypes.c_int64, ctypes.c_int, *(pointers * [ctypes.c_void_p]), *(2 * [ctypes.c_float]))
-    kernel.restype = None
-    return kernel
-
-
-def _call(name: str, tensors: tuple[Tensor, ...], bounds: tuple[int, int]) -> None:
-    """Calls a kernel for maps of one shape and layout, the first of ``tensors``, and for steps."""
-    v, pointers = tensors[0], [tensor.data_ptr() for tensor in tensors]
-    _kernel(name, v.dtype)(v.numel(), torch.get_num_threads(), *pointers, *bounds)
+def _call(function: str, *tensors: Tensor, bounds: tuple[int, int]) -> None:
+    """Calls a function of ``lsq.cpp`` for maps of one shape and layout, the first of ``tensors``, and for steps."""
+    v, (low, high) = tensors[0], bounds
+    kernel = f"{function}_{KERNELS[v.dtype]}"
+    call("lsq", kernel, v.numel(), torch.get_num_threads(), *tensors, float(low), float(high))
 
 
 class CpuQuantizer(LsqQuantizer):

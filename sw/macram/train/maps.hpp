@@ -36,9 +36,9 @@ struct Bf16 {
 
 struct Shape {
     Size count, channels, period;
-    int threads;
+    Size threads;
 
-    Shape(Size rows, Size channels, int threads)
+    Shape(Size rows, Size channels, Size threads)
         : count(rows * channels), channels(channels),
           period(channels * std::max(Size(1), WIDE / channels)), threads(threads) {}
 

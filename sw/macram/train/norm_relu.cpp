@@ -97,18 +97,18 @@ void backward(const Shape &shape, const T *grad, const T *x, T *to_x, const floa
 }  // namespace
 
 #define EXPORTED(NAME, T)                                                                                    \
-    extern "C" void forward_##NAME(Size rows, Size channels, int threads, const T *x, const T *plus, T *y,   \
+    extern "C" void forward_##NAME(Size rows, Size channels, Size threads, const T *x, const T *plus, T *y,  \
                                    const float *weight, const float *bias, double eps, float *mean,          \
                                    float *variance) {                                                        \
         forward(Shape(rows, channels, threads), x, plus, y, weight, bias, eps, mean, variance);              \
     }                                                                                                        \
-    extern "C" void apply_##NAME(Size rows, Size channels, int threads, const T *x, const T *plus, T *y,     \
+    extern "C" void apply_##NAME(Size rows, Size channels, Size threads, const T *x, const T *plus, T *y,    \
                                  const float *weight, const float *bias, const float *mean,                  \
                                  const float *variance, double eps) {                                        \
         apply(Shape(rows, channels, threads), x, plus, y, weight, bias, mean, variance, eps);                \
     }                                                                                                        \
-    extern "C" void backward_##NAME(Size rows, Size channels, int threads, const T *grad, const T *x, T *to_x,\
-                                    const float *weight, const float *bias, const float *mean,               \
+    extern "C" void backward_##NAME(Size rows, Size channels, Size threads, const T *grad, const T *x,       \
+                                    T *to_x, const float *weight, const float *bias, const float *mean,      \
                                     const float *variance, double eps, float *to_weight, float *to_bias) {   \
         backward(Shape(rows, channels, threads), grad, x, to_x, weight, bias, mean, variance, eps,           \
                  to_weight, to_bias);                                                                        \

@@ -7,8 +7,6 @@ move two or three instead of five to seven. On a GPU `macram.train.norm_relu_gpu
 
 from __future__ import annotations
 
-import ctypes
-import functools
 from typing import Any, cast
 
 import torch
@@ -16,7 +14,7 @@ from torch import Tensor, nn
 from torch.autograd.function import once_differentiable
 
 from macram.model.backbone import summed
-from macram.train.compiled import library
+from macram.train.compiled import call, library
 from macram.train.distributed import follow_statistics
 from macram.train.few_channels import WideBatchNorm2d
 
@@ -34,7 +32,7 @@ class _NormRelu(torch.autograd.Function):
         y, mean, variance = torch.empty_like(x), torch.empty_like(weight), torch.empty_like(weight)
         if plus is not None:
             plus = plus.contiguous(memory_format=torch.channels_last)
-        _call("forward", x, (x, plus, y, weight, bias), eps, (mean, variance))
+        _call("forward", x, x, plus, y, weight, bias, eps, mean, variance)
         ctx.save_for_backward(x, weight, bias, mean, variance)
         ctx.eps = eps
         ctx.mark_non_differentiable(mean, variance)
@@ -46,33 +44,14 @@ class _NormRelu(torch.autograd.Function):
         x, weight, bias, mean, variance = ctx.saved_tensors
         grad = grads[0].contiguous(memory_format=torch.channels_last)
         to_x, to_weight, to_bias = torch.empty_like(x), torch.empty_like(weight), torch.empty_like(bias)
-        _call("backward", x, (grad, x, to_x, weight, bias, mean, variance), ctx.eps, (to_weight, to_bias))
+        _call("backward", x, grad, x, to_x, weight, bias, mean, variance, ctx.eps, to_weight, to_bias)
         return to_x, grads[0] if ctx.needs_input_grad[1] else None, to_weight, to_bias, None
 
 
-@functools.cache
-def _kernel(name: str, dtype: torch.dtype) -> Any:
-    """A function of ``norm_relu.cpp``: rows, channels, threads, pointers, epsilon, pointers."""
-    kernel = getattr(library("norm_relu"), f"{name}_{KERNELS[dtype]}")
-    before, after = {"forward": (5, 2), "backward": (7, 2), "apply": (7, 0)}[name]
-    kernel.argtypes = (
-        *(ctypes.c_int64, ctypes.c_int64, ctypes.c_int),
-        *(before * [ctypes.c_void_p]),
-        ctypes.c_double,
-        *(after * [ctypes.c_void_p]),
-    )
-    return kernel
-
-
-def _call(
-    name: str, x: Tensor, before: tuple[Tensor | None, ...], eps: float, after: tuple[Tensor, ...]
-) -> None:
-    """Calls a kernel for maps like ``x``."""
-    channels = x.shape[1]
-    first = [None if tensor is None else tensor.data_ptr() for tensor in before]
-    last = [tensor.data_ptr() for tensor in after]
-    rows = x.numel() // channels
-    _kernel(name, x.dtype)(rows, channels, torch.get_num_threads(), *first, eps, *last)
+def _call(function: str, x: Tensor, *arguments: Tensor | float | None) -> None:
+    """Calls a function of ``norm_relu.cpp`` for maps like ``x``: rows, channels, threads, then ``arguments``."""
+    rows, channels = x.numel() // x.shape[1], x.shape[1]
+    call("norm_relu", f"{function}_{KERNELS[x.dtype]}", rows, channels, torch.get_num_threads(), *arguments)
 
 
 class RectifyingBatchNorm2d(WideBatchNorm2d):
@@ -110,7 +89,7 @@ class RectifyingBatchNorm2d(WideBatchNorm2d):
             plus = plus.contiguous(memory_format=torch.channels_last)
         y = torch.empty_like(x)
         statistics = self.running_mean, self.running_var
-        _call("apply", x, (x, plus, y, self.weight, self.bias, *statistics), self.eps, ())
+        _call("apply", x, x, plus, y, self.weight, self.bias, *statistics, self.eps)
         return y
 
 

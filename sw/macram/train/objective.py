@@ -12,7 +12,14 @@ import torch
 from torch import Tensor
 
 from macram.model import Prediction, TrainingOutput
-from macram.train.losses import LossWeights, focal_loss, object_space_loss, similarity_loss, surface_loss
+from macram.train.losses import (
+    LossWeights,
+    focal_loss,
+    imitation_loss,
+    object_space_loss,
+    similarity_loss,
+    surface_loss,
+)
 from macram.train.targets import BACKGROUND, IGNORED, MISSED, POSITIVE, QUOTA, surface_targets
 from macram.train.warp import Batch, Cells
 
@@ -98,6 +105,14 @@ class Objective:
             ideal = self.factual(output.ideal, batch, cells, images, surface=False)
             losses["ideal"] = ideal["class"] + ideal["pose"]
         return losses
+
+    def imitation(
+        self, student: Sequence[Tensor], teacher: Sequence[Tensor], batch: Batch, cells: Cells, images: int
+    ) -> Tensor:
+        """Weighted loss of features that shall equal a teacher's: P3 to P7 of this process's part of the batch."""
+        inside = torch.split(batch.inside, cells.counts, dim=1)
+        # A mean over images.
+        return self.weights.imitation / images * imitation_loss(student, teacher, inside)
 
     @staticmethod
     def _pixels(predictions: Sequence[Prediction], slots: Tensor, cells: Cells) -> Tensor:

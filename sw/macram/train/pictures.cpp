@@ -76,9 +76,9 @@ struct Frame {
 // Writes float32 views [count, rows, columns, 3]. Of view b: `place` + 6 b maps its pixel centres to frame
 // pixels; `tone` + 3 b is gamma, gain and noise level; its noise, a value per colour, row and column, starts
 // at bank[noise[b]].
-extern "C" void pictures(Size count, Size rows, Size columns, int threads, const std::uint8_t *frames,
+extern "C" void pictures(Size count, Size rows, Size columns, Size threads, const std::uint8_t *frames,
                          const Size *frame, Size height, Size width, const float *place, const float *tone,
-                         const float *bank, const Size *noise, float border, const float *mean,
+                         const float *bank, const Size *noise, double border, const float *mean,
                          const float *deviation, float *result) {
     const int n = int(columns);
 #pragma omp parallel num_threads(threads)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ from torch import Tensor
 
 from macram.front.image import IMAGENET_MEAN, IMAGENET_STD
 from macram.pose.warp import BORDER
-from macram.train.compiled import library
+from macram.train.compiled import call, library
 from macram.train.views import Views
 
 MEAN, DEVIATION = (255 * torch.tensor(value) for value in (IMAGENET_MEAN, IMAGENET_STD))
@@ -36,9 +35,10 @@ def draw_pictures(pixels: NDArray[np.uint8], views: Views, bank: Tensor, stride:
     """
     assert image.is_contiguous(memory_format=torch.channels_last)
     count, _, rows, columns = image.shape
-    _call(
+    call(
         "pictures",
-        *(count, rows, columns, ctypes.c_int(torch.get_num_threads())),
+        "pictures",
+        *(count, rows, columns, torch.get_num_threads()),
         *_frames(pixels, views),
         *(_places(views), views.tone.astype(np.float32), bank, views.noise * stride, float(BORDER)),
         *(MEAN, DEVIATION, image),
@@ -48,7 +48,7 @@ def draw_pictures(pixels: NDArray[np.uint8], views: Views, bank: Tensor, stride:
 def seen_mask(pixels: NDArray[np.uint8], views: Views, sampled: Tensor) -> Tensor:
     """The packed mask, uint8 ``[B, cells]``, at ``sampled`` ``[cells, 2]`` pixels of each view; 0 off the frame."""
     result = torch.empty((len(views.frame), len(sampled)), dtype=torch.uint8)
-    _call("masks", *result.shape, *_frames(pixels, views), _places(views), sampled, result)
+    call("pictures", "masks", *result.shape, *_frames(pixels, views), _places(views), sampled, result)
     return result
 
 
@@ -61,17 +61,3 @@ def _frames(pixels: NDArray[np.uint8], views: Views) -> tuple[NDArray[Any], NDAr
 def _places(views: Views) -> NDArray[np.float32]:
     """View to frame, ``[B, 2, 3]``."""
     return np.linalg.inv(views.matrix)[:, :2].astype(np.float32)
-
-
-def _call(name: str, *arguments: Any) -> None:
-    """Passes arrays and tensors by address, whole numbers in 64 bits, others in float32."""
-    passed: list[Any] = []
-    for value in arguments:
-        if isinstance(value, Tensor):
-            passed.append(ctypes.c_void_p(value.data_ptr()))
-        elif isinstance(value, np.ndarray):
-            assert value.flags.c_contiguous
-            passed.append(ctypes.c_void_p(value.ctypes.data))
-        else:
-            passed.append({int: ctypes.c_int64, float: ctypes.c_float}.get(type(value), lambda v: v)(value))
-    getattr(library("pictures"), name)(*passed)

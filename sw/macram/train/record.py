@@ -13,6 +13,8 @@ from macram.train.config import completed, load_config
 
 WHEREABOUTS = ("log", "run.out", "run.init", "data.root", "data.cache")
 """Settings that say where and how often, not what."""
+PRESENCE = "quant.teacher"
+"""A file of which only this counts, whether there is one."""
 
 
 def stage_records(card: Card, configs: Sequence[Path]) -> list[dict[str, Any]]:
@@ -72,14 +74,14 @@ def train_command(path: Path, config: Mapping[str, Any], named: Sequence[str] = 
 
 
 def differences(base: Mapping[str, Any], other: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
-    """Dotted keys of ``other`` whose values differ from those of ``base``, but for `WHEREABOUTS`.
+    """Dotted keys of ``other`` whose values differ from those of ``base``, but for `WHEREABOUTS` and `PRESENCE`.
 
     Lists differ as a whole: that is how ``--set`` takes them.
     """
     found: dict[str, Any] = {}
     for key in sorted(base.keys() | other.keys()):
         name, mine, theirs = f"{prefix}{key}", base.get(key), other.get(key)
-        if name in WHEREABOUTS:
+        if name in WHEREABOUTS or (name == PRESENCE and bool(mine) == bool(theirs)):
             continue
         if isinstance(mine, Mapping) and isinstance(theirs, Mapping):
             found |= differences(mine, theirs, f"{name}.")

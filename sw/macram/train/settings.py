@@ -208,11 +208,14 @@ class QuantSettings:
         mode: ``I`` backbone, ``II`` pyramids too, ``III`` head too.
         bits: of weights and activations, 3 or 8.
         calibration: images that set the activation steps; a network that has them keeps them.
+        teacher: float network whose features the quantised one learns to imitate, beside the labels; empty for none.
+            Departs from the paper; see `macram.train.teacher`.
     """
 
     mode: str = "III"
     bits: int = 3
     calibration: int = 64
+    teacher: str = ""
 
     def __post_init__(self) -> None:
         _choice("quant.mode", self.mode, MODES)

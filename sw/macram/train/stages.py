@@ -16,6 +16,7 @@ from macram.train.config import TrainConfig
 from macram.train.objective import Objective
 from macram.train.pack import PackedFrames
 from macram.train.pretrained import load_backbone
+from macram.train.teacher import Teacher
 from macram.train.warp import Batch, Cells
 
 
@@ -27,17 +28,20 @@ class Stage:
         module: what has the parameters: ``net``, or the three paths around it.
         card: of ``net``, without this stage's history.
         uncalibrated: whether quantisers wait for their first steps.
+        teacher: the network to imitate; None without.
 
     Args:
         config: of the run.
         frames: to learn from; their object and camera go onto the card.
+        device: of training. The teacher is there at once, the network not.
 
     Raises:
         ValueError: the checkpoint to start from does not suit the stage or the data.
     """
 
-    def __init__(self, config: TrainConfig, frames: PackedFrames) -> None:
+    def __init__(self, config: TrainConfig, frames: PackedFrames, device: torch.device) -> None:
         self.config, self.uncalibrated = config, False
+        self.teacher: Teacher | None = None
         generator = torch.Generator().manual_seed(config.run.seed)
         model = frames.model
         self.module: nn.Module
@@ -66,6 +70,8 @@ class Stage:
             is_box=model.is_box,
             focal=float(frames.camera[:, 0, 0].mean()),
         )
+        if config.run.stage == "lsq" and config.quant.teacher:
+            self.teacher = Teacher(Path(config.quant.teacher), self.net, device)
         if config.run.freeze_backbone and config.run.stage != "counterfactual":
             self.net.freeze_backbone()
 
@@ -126,4 +132,9 @@ class Stage:
             assert batch.erased is not None
             output = self.module(batch.image, batch.erased)
             return objective.three_paths(output, batch, cells, images, surface=surface)
-        return objective.factual(self.module(batch.image), batch, cells, images, surface=surface)
+        if self.teacher is None:
+            return objective.factual(self.module(batch.image), batch, cells, images, surface=surface)
+        features = self.net.features(batch.image)
+        losses = objective.factual(self.net.predict(features), batch, cells, images, surface=surface)
+        goal = self.teacher.features(batch.image)
+        return losses | {"imitation": objective.imitation(features.direct, goal, batch, cells, images)}
