@@ -248,6 +248,10 @@ def test_a_row_trains_the_one_it_imitates_and_its_command_names_it(plan, tmp_pat
     text = path.read_text().replace("seeds = [1, 2]", "seeds = [1]")
     text += row.format("alone", tmp_path, "first", "seeds = [1]")
     path.write_text(text + row.format("taught", tmp_path, "first", 'teacher = "second"\nseeds = [1]'))
+    quantised = row.format("other", tmp_path, "first", 'teacher = "taught"\nseeds = [1]')
+    (tmp_path / "wrong.toml").write_text(path.read_text() + quantised)
+    with pytest.raises(ValueError, match=r"row 'other' imitates 'taught', which is no float network"):
+        read_plan(tmp_path / "wrong.toml")
     _, second, alone, taught = read_plan(path).jobs()
     assert taught.teacher() == second
     assert alone.teacher() is None

@@ -150,6 +150,16 @@ def test_imitation_is_a_sum_over_pictures_whatever_their_scale():
     assert imitation_loss([0 * teacher], [teacher], [on]).item() == pytest.approx(3, rel=1e-5)
 
 
+def test_what_a_teacher_leaves_at_zero_is_not_imitated():
+    # As P6 and P7 of a network whose pyramids share their top.
+    on = [torch.ones(2, 4, dtype=torch.bool)]
+    student = torch.ones(2, 3, 2, 2, requires_grad=True)
+    loss = imitation_loss([student], [torch.zeros(2, 3, 2, 2)], on)
+    loss.backward()
+    assert loss.item() == 0
+    assert not student.grad.any()
+
+
 def test_surface_loss_by_hand_and_misses_do_not_count():
     outputs = torch.zeros(2, 9)
     outputs[0, 6:] = torch.tensor([0.5, 0.0, -1.0])

@@ -97,11 +97,14 @@ FAULTS = ["dead_top", "drifting_statistics", "untrained_counterfactual", "misali
         ("counterfactual", {"network": {"faults": FAULTS}}),
         ("lsq", {"quant": {"bits": 3, "mode": "III"}}),
         ("lsq", {"quant": {"bits": 8, "mode": "I"}}),
+        ("lsq", {"quant": {"bits": 3, "mode": "III", "teacher": "wdr"}}),
     ],
 )
 def test_forward_losses_and_backward_never_look_at_a_value(stage, tables, scene, tmp_path, wdr):
     if stage != "wdr":
         tables = {**tables, "run": {"init": wdr}}
+    if taught := tables.get("quant", {}).get("teacher") == "wdr":
+        tables = {**tables, "quant": {**tables["quant"], "teacher": wdr}}
     run = run_of(scene, tmp_path / "run", stage, **tables)
     run.stage.module.train()
     batch, cells, _ = run._next_batch(4, 0.0)
@@ -110,6 +113,7 @@ def test_forward_losses_and_backward_never_look_at_a_value(stage, tables, scene,
         losses = run._backward(batch, cells, 4, stage == "wdr")
     assert all(torch.isfinite(value) and not value.requires_grad for value in losses.values())
     assert ("surface" in losses) == (stage == "wdr")
+    assert ("imitation" in losses) == taught
     assert any(p.grad is not None for p in run.names)
 
 

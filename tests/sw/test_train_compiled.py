@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import copy
+import ctypes
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -416,6 +418,22 @@ def test_without_a_compiler_pytorch_does_the_work(elsewhere, monkeypatch, tmp_pa
     assert warper.batch(views, cells, (64, 64)).image.isfinite().all()
     if fault != "folder":
         assert not list(elsewhere.iterdir())
+
+
+def test_numbers_reach_compiled_code_as_what_they_are(monkeypatch):
+    taken = []
+    monkeypatch.setattr(
+        compiled, "library", lambda name: {"lib": SimpleNamespace(f=lambda *a: taken.extend(a))}[name]
+    )
+    tensor, array = torch.zeros(3), np.zeros(3, np.uint8)
+    compiled.call("lib", "f", 3, np.int64(1 << 40), 0.5, np.float32(0.25), None, tensor, array)
+    assert [value.value for value in taken[:5]] == [3, 1 << 40, 0.5, 0.25, None]
+    kinds = [ctypes.c_int64, ctypes.c_int64, ctypes.c_double, ctypes.c_double, ctypes.c_void_p]
+    assert [type(value) for value in taken[:5]] == kinds
+    assert [value.value for value in taken[5:]] == [tensor.data_ptr(), array.ctypes.data]
+    for wrong in ("3", np.bool_(True), [1]):
+        with pytest.raises(TypeError, match="f takes tensors, arrays and numbers"):
+            compiled.call("lib", "f", wrong)
 
 
 # ---- memory -----------------------------------------------------------------------------------------

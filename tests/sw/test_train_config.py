@@ -64,6 +64,8 @@ def test_dict_round_trip():
         (changed(network={"size": "half"}), "network.size"),
         (changed(network={"faults": ["dead"]}), "network.faults"),
         (changed(quant={"bits": 4}), "quant.bits must be 3 or 8"),
+        (changed(quant={"teacher": "model.safetensors"}), "quant.teacher is for stage 'lsq', not"),
+        (changed(loss={"imitation": -1.0}), "loss.imitation must be a number of at least 0"),
         ({**LEAST, "crops": [{"until": 0.5, "sizes": [0]}]}, "the last of them 1"),
         ({**LEAST, "crops": [{"until": 1, "sizes": [50]}]}, "multiples of 32"),
         ({**LEAST, "data": {}}, "data.root is missing"),

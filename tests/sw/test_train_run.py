@@ -17,7 +17,7 @@ from train_scene import write_scene
 from macram.model import ThreePaths
 from macram.model.fpn import PyramidTop
 from macram.quant import LsqConv2d
-from macram.train.checkpoint import load_model, read_tensors
+from macram.train.checkpoint import load_model, read_tensors, save_model
 from macram.train.config import TrainConfig
 from macram.train.distributed import Processes
 from macram.train.feed import Feed
@@ -380,6 +380,13 @@ def test_an_imitating_run_resumes_bit_for_bit(scene, tmp_path, wdr):
 def test_unsuitable_teachers_are_refused(scene, tmp_path, wdr, quantised):
     with pytest.raises(ValueError, match=r"is quantised; set quant\.teacher to a float network"):
         Run(taught(scene, tmp_path / "on", wdr, quantised), ALONE, None)
+    with pytest.raises(ValueError, match=r"quant\.teacher is what the run writes"):
+        Run(taught(scene, wdr.parent, quantised, wdr), ALONE, None, resume=True)
+    other, card = load_model(wdr)
+    elsewhere = tuple((x + 1, y, z) for x, y, z in card.keypoints)
+    save_model(tmp_path / "other.safetensors", other, replace(card, target="other", keypoints=elsewhere))
+    with pytest.raises(ValueError, match=r"other\.safetensors: has the keypoints of 'other'"):
+        Run(taught(scene, tmp_path / "on", wdr, tmp_path / "other.safetensors"), ALONE, None)
     with pytest.raises(ValueError, match=r"none\.safetensors: no such checkpoint"):
         Run(taught(scene, tmp_path / "on", wdr, "none.safetensors"), ALONE, None)
     wide = Run(config(scene, tmp_path / "wide", network={"size": "eighth", "image_size": 64}), ALONE, None)

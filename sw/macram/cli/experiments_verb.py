@@ -34,9 +34,9 @@ def add_experiments(verb: Callable[[str, str, str, str], argparse.ArgumentParser
     run = actions.add_parser(
         "run",
         help="train and score a row",
-        description="Trains the row (and the row it continues, if its network is not there), scores it on the test "
-        "split, by a single look and refined ([refined] of the plan), and writes its record. What is done is not done "
-        "again; an interrupted run goes on from its checkpoint.",
+        description="Trains the row (and those it continues or imitates, if their networks are not there), scores it "
+        "on the test split, by a single look and refined ([refined] of the plan), and writes its record. What is done "
+        "is not done again; an interrupted run goes on from its checkpoint.",
     )
     run.add_argument("row", help="as macram experiments list has it, or all")
     run.add_argument("--seed", type=int, help="only this one of the row's seeds")
@@ -148,7 +148,7 @@ def _list(arguments: argparse.Namespace) -> int:
     for row in rows:
         scores = [f"{row[key]:.2f} %" if key in row else "" for key in ("add_0.1", "refined_add_0.1")]
         scores[1] = "refine again" if "refined_error" in row else scores[1]
-        sources = row["after"] + (f", imitates {row['teacher']}" if row["teacher"] else "")
+        sources = ", imitates ".join(name for name in (row["after"], row["teacher"]) if name)
         table.add_row(row["row"], str(row["seed"]), row["title"], sources, row["state"], *scores)
     open_console().print(table)
     return OK

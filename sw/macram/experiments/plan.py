@@ -107,7 +107,7 @@ class Plan:
         scoring: whose test split scores the rows.
         training: what rows learn from, unless they set ``data.root``.
         refined: how rows are scored beside the single look.
-        rows: in the order of the file, so that none comes before the row it continues.
+        rows: in the order of the file, so that none comes before a row it continues or imitates.
     """
 
     scoring: Source
@@ -257,6 +257,8 @@ def read_plan(path: Path = PLAN) -> Plan:
                     f"{path}: row {row.name!r} {verb} {other!r}, which must stand before it, with its seeds or "
                     "with one alone"
                 )
+        if row.teacher and rows[row.teacher].group == "quantised":
+            raise ValueError(f"{path}: row {row.name!r} imitates {row.teacher!r}, which is no float network")
         rows[row.name] = row
     return Plan(scoring, training, refined, tuple(rows.values()))
 

@@ -156,13 +156,13 @@ def quantised(done: Sequence[Finished], cited: dict[str, Any]) -> list[str]:
 
 def _taught(rows: Sequence[Finished]) -> str:
     """Which rows learned from more than labels; empty if none did."""
-    taught = [f"*{f.job.row.title}*" for f in rows if f.job.row.teacher]
+    taught = [f.job for f in rows if f.job.row.teacher]
     if not taught:
         return ""
+    which = "; ".join(f"*{job.row.title}* goes on with `{job.row.after}`" for job in taught)
     return (
-        f" {', '.join(taught)}: goes on with the row above of its bits and mode and, beside the labels, imitates the "
-        "float network's features (`quant.teacher`), which the paper does not do; *images* and *minutes* are of that "
-        "second run alone."
+        " What is *taught* imitates the float network's features beside learning from labels (`quant.teacher`), which "
+        f"the paper does not do. {which}; *images* and *minutes* are of the row's own run."
     )
 
 

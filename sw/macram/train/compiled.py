@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import functools
 import hashlib
+import numbers
 import os
 import platform
 import subprocess
@@ -52,6 +53,9 @@ def call(name: str, function: str, *arguments: Any) -> None:
         function: without a result.
         arguments: tensors and arrays, whose memory is passed by address as it lies; None is the null pointer. Whole
             numbers go as ``std::int64_t``, others as ``double``.
+
+    Raises:
+        TypeError: something else.
     """
     passed: list[Any] = []
     for value in arguments:
@@ -62,8 +66,12 @@ def call(name: str, function: str, *arguments: Any) -> None:
             passed.append(ctypes.c_void_p(value.ctypes.data))
         elif value is None:
             passed.append(ctypes.c_void_p())
+        elif isinstance(value, numbers.Integral):
+            passed.append(ctypes.c_int64(int(value)))
+        elif isinstance(value, numbers.Real):
+            passed.append(ctypes.c_double(float(value)))
         else:
-            passed.append(ctypes.c_int64(value) if isinstance(value, int) else ctypes.c_double(value))
+            raise TypeError(f"{function} takes tensors, arrays and numbers, not {value!r}")
     getattr(library(name), function)(*passed)
 
 

@@ -44,6 +44,8 @@ class TrainConfig:
             raise ValueError(f"crops need rising ends, the last of them 1, not {ends!r}")
         if not 0 <= self.surface_until <= 1:
             raise ValueError(f"surface_until must lie in 0..1, not {self.surface_until!r}")
+        if self.quant.teacher and self.run.stage != "lsq":
+            raise ValueError(f"quant.teacher is for stage 'lsq', not {self.run.stage!r}; leave it away")
         if self.augment.labels == "reference" and any(any(phase.sizes) for phase in self.crops):
             raise ValueError('crops need exact labels; set augment.labels to "exact" or crops.sizes to [0]')
         if self.augment.centred:

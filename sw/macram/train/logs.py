@@ -17,8 +17,9 @@ COLUMNS = (
     "step", "visits", "minutes", "lr", "size", "img_s", "loading", "loss", "class", "pose", "surface", "similarity",
     "ideal", "imitation", "grad_norm", "add_0.1", "add_0.2", "add_0.5", "misses",
 )  # fmt: skip
-"""Of log.csv. Losses are weighted, per 8 images; add_* and misses are percentages of validation frames; loading is
-the percentage of the time since the last line in which this process read, warped and labelled pictures."""
+"""Of log.csv. Losses are weighted; class, pose, surface and ideal per 8 images, others means. add_* and misses are
+percentages of validation frames; loading is the percentage of the time since the last line in which this process read,
+warped and labelled pictures."""
 
 
 class Log:

@@ -71,8 +71,9 @@ class Run:
             raise ValueError(
                 f"{self.folder / LAST}: there is a run already; add --resume or choose another run.out"
             )
-        if config.run.init and Path(config.run.init).resolve() == (self.folder / MODEL).resolve():
-            raise ValueError(f"{config.run.init}: run.init is what the run writes; choose another run.out")
+        for key, source in (("run.init", config.run.init), ("quant.teacher", config.quant.teacher)):
+            if source and Path(source).resolve() == (self.folder / MODEL).resolve():
+                raise ValueError(f"{source}: {key} is what the run writes; choose another run.out")
         device = processes.device
         self.step, self.visits, self.minutes = 0, 0, 0.0
         if config.data.validation:  # now, not when the first scores are due

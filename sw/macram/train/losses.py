@@ -119,11 +119,11 @@ def similarity_loss(pseudo: tuple[Tensor, ...], counterfactual: tuple[Tensor, ..
 
 
 def imitation_loss(student: Sequence[Tensor], teacher: Sequence[Tensor], inside: Sequence[Tensor]) -> Tensor:
-    """Sum over images of how far the features are from a teacher's, relative to these: 0 if equal, 1 if all zero.
+    """Sum over images of how far the features are from a teacher's, relative to these: 0 if equal.
 
     Per image and level the squared distance over the teacher's squares, once over all cells and once over those on
     the target, which are few and carry the pose; mean over both and over the levels. A level without a cell on the
-    target counts 0 there.
+    target counts 0 there, as does one where the teacher has nothing but zeros.
 
     Args:
         student: one ``[N, C, H, W]`` per level.
@@ -135,8 +135,11 @@ def imitation_loss(student: Sequence[Tensor], teacher: Sequence[Tensor], inside:
         goal = theirs.detach().float()
         apart = (mine.float() - goal).square().sum(1).flatten(1)
         squares = goal.square().sum(1).flatten(1)
-        for cells in (torch.ones_like(on), on):
-            terms.append((apart * cells).sum(1) / (squares * cells).sum(1).clamp_min(SQUARES_FLOOR))
+        for distances, whole in (
+            (apart.sum(1), squares.sum(1)),
+            ((apart * on).sum(1), (squares * on).sum(1)),
+        ):
+            terms.append(distances / whole.clamp_min(SQUARES_FLOOR) * (whole > 0))
     return torch.stack(terms).mean(0).sum()
 
 

@@ -35,8 +35,7 @@ struct Bf16 {
 };
 
 struct Shape {
-    Size count, channels, period;
-    Size threads;
+    Size count, channels, period, threads;
 
     Shape(Size rows, Size channels, Size threads)
         : count(rows * channels), channels(channels),

@@ -13,8 +13,8 @@ from macram.train.config import completed, load_config
 
 WHEREABOUTS = ("log", "run.out", "run.init", "data.root", "data.cache")
 """Settings that say where and how often, not what."""
-PRESENCE = "quant.teacher"
-"""A file of which only this counts, whether there is one."""
+NETWORKS = ("quant.teacher",)
+"""Files of networks that differ if their last folders or their names do, wherever those folders are."""
 
 
 def stage_records(card: Card, configs: Sequence[Path]) -> list[dict[str, Any]]:
@@ -61,6 +61,9 @@ def train_command(path: Path, config: Mapping[str, Any], named: Sequence[str] = 
     """
     words, base = ["macram", "train", path.as_posix()], load_config(path)
     changes = differences(base.to_dict(), completed(config))
+    for key in NETWORKS:
+        if Path(changes.get(key, "")).is_absolute():
+            del changes[key]
     root = Path(config["data"]["root"])
     if not root.is_absolute() and root != Path(base.data.root):
         changes["data.root"] = root.as_posix()
@@ -74,20 +77,24 @@ def train_command(path: Path, config: Mapping[str, Any], named: Sequence[str] = 
 
 
 def differences(base: Mapping[str, Any], other: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
-    """Dotted keys of ``other`` whose values differ from those of ``base``, but for `WHEREABOUTS` and `PRESENCE`.
+    """Dotted keys of ``other`` whose values differ from those of ``base``, but for `WHEREABOUTS`; see also `NETWORKS`.
 
     Lists differ as a whole: that is how ``--set`` takes them.
     """
     found: dict[str, Any] = {}
     for key in sorted(base.keys() | other.keys()):
         name, mine, theirs = f"{prefix}{key}", base.get(key), other.get(key)
-        if name in WHEREABOUTS or (name == PRESENCE and bool(mine) == bool(theirs)):
+        if name in WHEREABOUTS or (name in NETWORKS and _last(mine) == _last(theirs)):
             continue
         if isinstance(mine, Mapping) and isinstance(theirs, Mapping):
             found |= differences(mine, theirs, f"{name}.")
         elif _plain(mine) != _plain(theirs):
             found[name] = _plain(theirs)
     return found
+
+
+def _last(path: Any) -> tuple[str, ...]:
+    return Path(path).parts[-2:]
 
 
 def _plain(value: Any) -> Any:

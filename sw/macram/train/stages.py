@@ -70,8 +70,8 @@ class Stage:
             is_box=model.is_box,
             focal=float(frames.camera[:, 0, 0].mean()),
         )
-        if config.run.stage == "lsq" and config.quant.teacher:
-            self.teacher = Teacher(Path(config.quant.teacher), self.net, device)
+        if config.quant.teacher:
+            self.teacher = Teacher(Path(config.quant.teacher), self.net, self.card, device)
         if config.run.freeze_backbone and config.run.stage != "counterfactual":
             self.net.freeze_backbone()
 

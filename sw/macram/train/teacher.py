@@ -13,7 +13,7 @@ import torch
 from torch import Tensor
 
 from macram.model import SpaceNet
-from macram.train.checkpoint import load_model
+from macram.train.checkpoint import Card, load_model
 from macram.train.fused import fuse_batch_norm
 
 
@@ -23,16 +23,22 @@ class Teacher:
     Args:
         path: its ``model.safetensors``.
         student: the network that imitates it.
+        target: card of the student.
         device: of the student.
 
     Raises:
-        ValueError: no such network, a quantised one, or one with other features than ``student``.
+        ValueError: no such network, a quantised one, one of another target, or one with other features than
+            ``student``.
     """
 
-    def __init__(self, path: Path, student: SpaceNet, device: torch.device) -> None:
+    def __init__(self, path: Path, student: SpaceNet, target: Card, device: torch.device) -> None:
         self.net, card = load_model(path)
         if card.mode:
             raise ValueError(f"{path}: is quantised; set quant.teacher to a float network")
+        if card.keypoints != target.keypoints:
+            raise ValueError(
+                f"{path}: has the keypoints of {card.target!r}, the network those of {target.target!r}"
+            )
         theirs, mine = self.net.config.pyramid, student.config.pyramid
         if theirs != mine:
             raise ValueError(
