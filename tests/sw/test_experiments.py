@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import json
+import tomllib
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import torch
 from rich.console import Console
 from train_scene import write_scene
 
@@ -19,11 +21,14 @@ from macram.data.render.plan import plan_sequence
 from macram.data.render.sequence import View
 from macram.experiments import refined as refined_module
 from macram.experiments import run as run_module
+from macram.experiments.cost import costs
+from macram.experiments.finished import finished
 from macram.experiments.page import page
 from macram.experiments.plan import Source, read_plan, read_result
 from macram.experiments.run import record_job, run_job
 from macram.experiments.statistics import Frames, difference, limits, read_frames, share, share_interval
 from macram.pose import EdgeSettings, LookSettings, PoseSettings
+from macram.train.checkpoint import load_model
 from macram.train.config import load_config
 from macram.train.learned import REFINED
 from macram.train.record import train_command
@@ -247,12 +252,13 @@ def test_a_row_trains_the_one_it_imitates_and_its_command_names_it(plan, tmp_pat
     path = tmp_path / "plan.toml"
     text = path.read_text().replace("seeds = [1, 2]", "seeds = [1]")
     text += row.format("alone", tmp_path, "first", "seeds = [1]")
-    path.write_text(text + row.format("taught", tmp_path, "first", 'teacher = "second"\nseeds = [1]'))
+    text += row.format("taught", tmp_path, "first", 'teacher = "second"\nseeds = [1]')
+    path.write_text(text + row.format("on", tmp_path, "taught", "seeds = [1]"))
     quantised = row.format("other", tmp_path, "first", 'teacher = "taught"\nseeds = [1]')
     (tmp_path / "wrong.toml").write_text(path.read_text() + quantised)
     with pytest.raises(ValueError, match=r"row 'other' imitates 'taught', which is no float network"):
         read_plan(tmp_path / "wrong.toml")
-    _, second, alone, taught = read_plan(path).jobs()
+    _, second, alone, taught, on = read_plan(path).jobs()
     assert taught.teacher() == second
     assert alone.teacher() is None
     monkeypatch.chdir(tmp_path)
@@ -261,6 +267,9 @@ def test_a_row_trains_the_one_it_imitates_and_its_command_names_it(plan, tmp_pat
     record = read_result(run_job(taught, runs, results, Console(quiet=True)))
     assert "--set quant.teacher=kept/second.s1/model.safetensors" in record["train_command"]
     assert alone.state(runs, results) == "waiting"
+    assert "run.init" not in record["train_command"]  # as its configuration has it
+    again = read_result(run_job(on, runs, results, Console(quiet=True)))
+    assert "--set run.init=kept/taught.s1/model.safetensors" in again["train_command"]
     # Where the teacher lay does not count; that there was one does.
     record_job(taught, taught.folder(runs), Path("again"), device="cpu")
     with pytest.raises(
@@ -292,6 +301,49 @@ def test_every_row_is_a_configuration_that_loads(monkeypatch):
 def test_the_page_is_what_its_records_give(monkeypatch):
     monkeypatch.chdir(ROOT)
     assert (ROOT / "docs/results.md").read_text() == page(read_plan(), Path("results"))
+
+
+def test_costs_are_those_of_the_files_and_layers(monkeypatch):
+    monkeypatch.chdir(ROOT)
+    done = finished(read_plan(), Path("results"))
+    cited = tomllib.loads(Path("results/cited.toml").read_text())
+    assert costs([f for f in done if f.job.row.group != "quantised"], cited, Path("results")) == []
+    _, operations, _, storage = costs(done, cited, Path("results"))
+    net = load_model(Path("weights/quarter-float.safetensors"))[0]
+    parameters = sum(p.numel() for p in net.parameters())
+    lines = [line.strip("| ").split(" | ") for line in storage.splitlines()[2:]]
+    for (bits, count, ideal, _, _, size, saved), name in zip(
+        lines, ("quarter-float", "quarter-w8a8", "quarter-w3a3"), strict=True
+    ):
+        file = Path(f"weights/{name}.safetensors").stat().st_size
+        assert int(count.replace(",", "")) == parameters
+        assert float(ideal) == pytest.approx(parameters * int(bits) / 8 / 2**20, abs=0.006)
+        assert float(size) == pytest.approx(file / 2**20, abs=0.006)
+        assert float(saved) == pytest.approx(100 - 100 * file / (4 * parameters), abs=0.006)
+    # Multiply-accumulates of one picture by what the convolutions really see.
+    seen = {"backbone": 0, "fpn": 0, "head": 0, "first": 0}
+
+    def add(name):
+        def hook(layer, inputs, output):
+            seen[name] += output[0].numel() * layer.weight[0].numel()
+
+        return hook
+
+    for name, layer in net.named_modules():
+        if isinstance(layer, torch.nn.Conv2d) and not name.startswith("head.surface"):
+            part = "first" if layer.in_channels == 3 else name.split(".")[0]
+            layer.register_forward_hook(add(part))
+    with torch.no_grad():
+        net.eval()(torch.zeros(1, 3, 256, 256))
+    wanted = {"I": seen["backbone"], "II": seen["backbone"] + seen["fpn"]}
+    wanted["III"] = wanted["II"] + seen["head"]
+    rows = [line.strip("| ").split(" | ") for line in operations.splitlines()[2:]]
+    assert len(rows) >= 6
+    for title, codes, others, percent, *_ in rows:
+        exact = wanted[title.split("mode ")[1].split(",")[0]]
+        assert float(codes) == pytest.approx(exact / 1e9, abs=0.0006)
+        assert float(others) == pytest.approx((sum(seen.values()) - exact) / 1e9, abs=0.0006)
+        assert float(percent) == pytest.approx(100 * exact / sum(seen.values()), abs=0.006)
 
 
 def test_every_picture_of_the_page_is_there():

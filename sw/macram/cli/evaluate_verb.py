@@ -32,7 +32,7 @@ EXAMPLES = """\
 examples:
   macram evaluate build/runs/quarter-wdr/model.safetensors --data build/data/mini
   macram evaluate build/runs/quarter-w3a3/model.safetensors --data build/data/mini --integer --limit 100
-  macram evaluate --weights quarter-float --data build/data/mini --looks 4 --edges 0.993
+  macram evaluate --weights quarter-float --data build/data/mini --looks 4 --edges 0.9928
 
 A frame counts as right at 0.1d if the model's points lie, on average, less than a tenth of the object's diameter
 from where they should; a frame without a pose counts as wrong.

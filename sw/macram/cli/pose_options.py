@@ -29,7 +29,7 @@ def add_pose_options(sub: argparse.ArgumentParser) -> None:
         default=0.0,
         metavar="BOX",
         help="align the pose with the edges of the target's box in the picture, some milliseconds; BOX is the size of "
-        "the box of visible edges in boxes of the keypoints, 0.993 for the rendered cubesat1u (default: off, BOX 1)",
+        "the box of visible edges in boxes of the keypoints, 0.9928 for the rendered cubesat1u (default: off, BOX 1)",
     )
 
 

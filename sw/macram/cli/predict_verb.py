@@ -26,7 +26,7 @@ EXAMPLES = """\
 examples:
   macram predict photo.png -o build/poses --weights build/runs/quarter-wdr/model.safetensors --focal 620
   macram predict build/data/mini/testing/seq_*/000000/rgb/*.jpg -o build/poses --weights model.safetensors
-  macram predict photo.png -o build/poses --weights quarter-float --looks 4 --edges 0.993
+  macram predict photo.png -o build/poses --weights quarter-float --looks 4 --edges 0.9928
 """
 
 

@@ -41,8 +41,8 @@ def add_weights(verb: Callable[[str, str, str, str], argparse.ArgumentParser]) -
     index = actions.add_parser(
         "index",
         help="put a packed file into its folder's index.json",
-        description="Takes size, bits, commands and seeds from the file and its scores from an evaluation of this "
-        "very file (macram evaluate FILE).",
+        description="Takes size, bits, commands and seeds from the file, the version of its data from the folders it "
+        "learned from, and its scores from an evaluation of this very file (macram evaluate FILE).",
     )
     index.add_argument("name", help="to load it by")
     index.add_argument("file", type=Path, metavar="FILE", help="in the folder of the index")
@@ -119,6 +119,7 @@ def _pack(arguments: argparse.Namespace) -> int:
 
 
 def _index(arguments: argparse.Namespace) -> int:
+    from macram.data.open import dataset_version  # noqa: PLC0415
     from macram.report.files import write_json  # noqa: PLC0415
     from macram.train.checkpoint import load_model  # noqa: PLC0415
     from macram.train.packed import file_sizes  # noqa: PLC0415
@@ -133,7 +134,10 @@ def _index(arguments: argparse.Namespace) -> int:
     details, summary = evaluation["details"], evaluation["summary"]
     if details.get("sha256") != sha256(arguments.file):
         raise ValueError(f"{arguments.evaluation}: is of another file; run macram evaluate {arguments.file}")
-    stages = stage_records(card, arguments.config)
+    stages = [
+        {**stage, "dataset": dataset_version(Path(record["config"]["data"]["root"]))}
+        for stage, record in zip(stage_records(card, arguments.config), card.history, strict=True)
+    ]
     parameters = sum(p.numel() for p in net.parameters())
     sizes = file_sizes(arguments.file, parameters, card.bits)
     first = card.history[0]["config"]["network"]
@@ -150,9 +154,9 @@ def _index(arguments: argparse.Namespace) -> int:
         "stored": f"{card.bits}-bit codes, mode {card.mode}" if card.mode else "float, 16 bits",
         "stages": stages,
         "seed": stages[-1]["seed"],
-        "dataset": details["dataset"],
         "scores": {
             "source": details["command"],
+            "dataset": details["dataset"],
             "form": details["form"],
             "frames": summary["frames"],
             "misses": summary["misses"],

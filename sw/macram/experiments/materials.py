@@ -62,9 +62,8 @@ def shipped(results: Path) -> list[str]:
     return [
         "## Shipped networks\n\n`macram weights list`. Sizes in MB of 2^20 bytes: *ideal* is parameters "
         "times bits, as the paper's "
-        "table V counts; the file holds packed codes, what stays floating point, and a header. Scores are "
-        "of the shipped "
-        "file itself.",
+        "table V counts, of the float network 32; the file holds packed codes, what stays floating point, and a "
+        "header. Scores are of the shipped file itself.",
         table(["name", "form", "parameters", "ideal", "codes", "floats", "header", "file",
                 "ADD-0.1d %", "0.2d %", "0.5d %", "frames"], rows),
     ]  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
-from macram.experiments import beside, materials, sections, seeds
+from macram.experiments import beside, cost, materials, sections, seeds
 from macram.experiments.curves import curves_svg
 from macram.experiments.finished import finished
 from macram.experiments.plan import Plan
@@ -62,6 +62,7 @@ def page(plan: Plan, results: Path) -> str:
         *sections.more_data(done),
         *sections.quantised(done, cited),
         *beside.quantised(done),
+        *cost.costs(done, cited, results),
         *sections.cited(cited),
         *sections.curves(done),
         *sections.limits(done),

@@ -241,12 +241,15 @@ def _record(
     limit: int,
 ) -> dict[str, Any]:
     stage = card.history[-1]
+    # A configuration starts from the stage before by itself, but never from one of its own kind.
+    kinds = [entry["config"]["run"]["stage"] for entry in card.history[-2:]]
+    again = len(kinds) == 2 and kinds[0] == kinds[1]
     return {
         "format": 1,
         "row": job.row.name,
         "seed": job.seed,
         "command": f"macram experiments run {job.row.name}",
-        "train_command": train_command(job.row.config, stage["config"]),
+        "train_command": train_command(job.row.config, stage["config"], ("run.init",) if again else ()),
         "stage": stage["config"]["run"]["stage"],
         "mode": card.mode,
         "bits": card.bits,

@@ -12,7 +12,7 @@ from macram.experiments.finished import Finished
 from macram.experiments.plan import RESULT, Plan
 
 LIMITING = "quarter-control.s2022"
-"""The record that 'what limits accuracy' looks into: the best float network."""
+"""The record that 'what limits accuracy' looks into: a float network trained as long as any of its table."""
 CONTROL = "quarter-control"
 """The row that others of its table are held against."""
 SHOWN = ("quarter-control.s2022", "quarter-w3a3.s2022")
@@ -79,8 +79,9 @@ def questions(done: Sequence[Finished]) -> list[str]:
     if control is not None:
         lines = [_difference(f, control) for f in rows if f is not control]
         parts.append(
-            "Against the control, on the same frames, one training each, so that a difference between two seeds is "
-            "not ruled out:\n\n" + "\n".join(lines)
+            "Against the control, which trains the factual path alone, its backbone frozen as in stage 2, on the "
+            "same frames, one training each, so that a difference between two seeds is not ruled out:\n\n"
+            + "\n".join(lines)
         )
     return parts
 
@@ -113,8 +114,9 @@ def more_data(done: Sequence[Finished]) -> list[str]:
         points, low, high = statistics.difference(many.frames, few.frames)
         times = many.table["images"] / few.table["images"]
         differences.append(
-            f"- {few.job.row.title}: {points:+.1f} points ({low:+.1f} to {high:+.1f}) of ADD-0.1d for more frames and "
-            f"{times:.2f} times the images."
+            f"- {many.job.row.title} against {few.job.row.title}: {points:+.1f} points ({low:+.1f} to {high:+.1f}) of "
+            f"ADD-0.1d, from more frames and {times:.2f} times the images ({many.table['device']}, "
+            f"{few.table['device']})."
         )
     return [
         "## More training frames",
@@ -182,7 +184,9 @@ def _integers(rows: Sequence[Finished]) -> list[str]:
     return [
         "The scores above are of the training graph. Its deployed integers on the same frames (`macram evaluate "
         "--integer`, then `macram experiments integers ROW JSON`), integers / training graph; *apart* counts "
-        f"frames whose ADD differs by more than {apart['apart_d']:g} d:",
+        f"frames whose ADD differs by more than {apart['apart_d']:g} d. The graph computes in float32 "
+        "what the integers have as codes and whole sums at every layer; equality, code by code, is between the "
+        "integers, the golden model and the array:",
         table(["row", "ADD-0.1d %", "0.2d %", "0.5d %", "apart", "frames"], lines),
     ]
 
@@ -210,7 +214,7 @@ def curves(done: Sequence[Finished]) -> list[str]:
         parts.append(
             "## Successes and failures\n\nEight frames of the test split by rank of their error, best to "
             "worst; true boxes amber, "
-            "predicted ones green with axes."
+            "predicted ones, by a single look, green with axes."
         )
         parts += [f"{f.job.row.title}:\n\n![{f.job.row.title}](images/{f.job.key}.jpg)" for f in shown]
     return parts
@@ -234,7 +238,7 @@ def limits(done: Sequence[Finished]) -> list[str]:
     return [
         f"## What limits accuracy\n\n{entry.job.row.title}. *Placed* is the share of frames whose "
         f"position alone is within 0.1 d, "
-        f"*flipped* the share turned by more than {statistics.FLIP_DEG:g} degrees.",
+        f"*flipped* the share turned by more than {statistics.FLIP_DEG:g} degrees. All by a single look.",
         table(["range", "frames", "ADD-0.1d %", "placed %", "median position error, d", "median rotation error, deg",
                 "flipped %"], rows),
         f"In the picture the poses fit: {pixels:.1f} % of all frames reproject within 5 pixels, against "
