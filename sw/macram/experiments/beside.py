@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from macram.experiments import statistics
 from macram.experiments.finished import Finished
 from macram.experiments.plan import Plan
-from macram.experiments.sections import CONTROL, table
+from macram.experiments.sections import CONTROL, SCORE_COLUMNS, score_cells, table
 
 LIMITS = ("0.1", "0.2", "0.5")
 COLUMNS = [f"{limit}d %, {way}" for limit in LIMITS for way in ("single", "refined")]
@@ -46,6 +46,22 @@ def quantised(done: Sequence[Finished]) -> list[str]:
     return [
         f"ADD of the training graph on the same frames, all distances, by a single look and refined:\n\n"
         f"{_beside(rows, bases, 'refined loss, points (95 %)')}"
+    ]
+
+
+def front(done: Sequence[Finished]) -> list[str]:
+    """Rows of the network that has the reference layer, by a single look and refined."""
+    rows = [f for f in done if f.job.row.group == "front"]
+    if not rows:
+        return []
+    by_key = {f.job.key: f for f in done}
+    floats = [None if (before := f.job.unquantised()) is None else by_key.get(before.key) for f in rows]
+    return [
+        "## The reference layer's network\n\n`paper-front` has the paper's width in its first two stages and quarter "
+        "width behind them, so that the layer of 128 x 128 x 64 has learned weights. One training each.",
+        table(["row", *SCORE_COLUMNS], [[f.job.row.title, *score_cells(f)] for f in rows]),
+        "By a single look and refined:",
+        _beside(rows, floats, "refined loss, points (95 %)"),
     ]
 
 

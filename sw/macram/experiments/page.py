@@ -63,6 +63,7 @@ def page(plan: Plan, results: Path) -> str:
         *sections.quantised(done, cited),
         *beside.quantised(done),
         *cost.costs(done, cited, results),
+        *beside.front(done),
         *sections.cited(cited),
         *sections.curves(done),
         *sections.limits(done),

@@ -17,7 +17,7 @@ from macram.train.config import TrainConfig, load_config
 PLAN = Path("configs/experiments.toml")
 RESULTS = Path("results")
 RUNS = Path("build/experiments")
-GROUPS = ("questions", "seeds", "data", "quantised")
+GROUPS = ("questions", "seeds", "data", "quantised", "front")
 DEFAULT_SEED = 2022
 MODEL, LAST, RESULT = "model.safetensors", "last.safetensors", "result.json"
 

@@ -29,7 +29,8 @@ def _learned_from(entry: Finished) -> str:
     return str(entry.table["dataset"]).split(",")[0].removeprefix("cubesat1u-")
 
 
-def _scores(entry: Finished) -> list[str]:
+def score_cells(entry: Finished) -> list[str]:
+    """One for each of `SCORE_COLUMNS`."""
     low, high = statistics.share_interval(entry.frames)
     every = entry.table["ranges"]["all"]["add"]
     return [
@@ -72,7 +73,7 @@ def questions(done: Sequence[Finished]) -> list[str]:
     parts = [
         f"## The paper's questions\n\nQuarter width, one training each (seed {rows[0].job.seed}, "
         f"{devices}). {SCORE_NOTE}",
-        table(["row", *SCORE_COLUMNS], [[f.job.row.title, *_scores(f)] for f in rows]),
+        table(["row", *SCORE_COLUMNS], [[f.job.row.title, *score_cells(f)] for f in rows]),
     ]
     by_name = {f.job.row.name: f for f in rows}
     control = by_name.get(CONTROL)
@@ -108,7 +109,7 @@ def more_data(done: Sequence[Finished]) -> list[str]:
     ]
     if not pairs:
         return []
-    lines = [[entry.job.row.title, *_scores(entry)] for pair in pairs for entry in pair]
+    lines = [[entry.job.row.title, *score_cells(entry)] for pair in pairs for entry in pair]
     differences = []
     for few, many in pairs:
         points, low, high = statistics.difference(many.frames, few.frames)
@@ -143,7 +144,7 @@ def quantised(done: Sequence[Finished], cited: dict[str, Any]) -> list[str]:
         theirs = cited["quantised"].get(f"{f.table['bits']} bit, mode {f.table['mode']}")
         paper = cited["swisscube"]["CA-SpaceNet"][-1]
         lines.append(
-            [f.job.row.title, *_scores(f), *loss, "-" if theirs is None else f"{theirs - paper:+.2f}"]
+            [f.job.row.title, *score_cells(f), *loss, "-" if theirs is None else f"{theirs - paper:+.2f}"]
         )
     return [
         "## Quantised\n\nLSQ from the float network of stage 1. The loss is against that network on the "
