@@ -148,6 +148,7 @@ def test_more_data_stands_beside_the_same_training_on_less(tmp_path):
             images=images,
             minutes=1,
             dataset=f"cubesat1u-{name}, poses",
+            device=f"GPU {name}",
         )
         table = json.loads((folder / "result.json").read_text())
         table["ranges"] |= dict.fromkeys(BUCKETS, table["ranges"]["all"])
@@ -156,8 +157,8 @@ def test_more_data_stands_beside_the_same_training_on_less(tmp_path):
     text = "\n".join(sections.more_data(done))
     assert "| Few | few | 50 | 1 | 25.00 |" in text
     assert "| Many | many | 100 | 1 | 50.00 |" in text
-    assert "- Few: +25.0 points (" in text
-    assert "2.00 times the images." in text
+    assert "- Many against Few: +25.0 points (" in text
+    assert "2.00 times the images (GPU many, GPU few)." in text
     assert sections.more_data([f for f in done if f.job.row.group != "data"]) == []
 
 
@@ -176,6 +177,7 @@ def test_a_quantised_row_loses_against_the_float_row_of_its_seed(tmp_path):
     }.items():
         write(tmp_path / key, "result.json", "frames.csv", [0.3] * 4)
         write(tmp_path / key, "refined.json", "refined.csv", add)
+    assert beside.front(finished(plan, tmp_path)) == []
     text = "\n".join(beside.quantised(finished(plan, tmp_path)))
     assert "| W3 | 0.00 | 25.00 | 0.00 | 25.00 | 100.00 | 100.00 | -25.0 (" in text
     assert "| On | 0.00 | 0.00 | 0.00 | 0.00 | 100.00 | 100.00 | -50.0 (" in text
