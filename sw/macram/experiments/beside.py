@@ -41,11 +41,9 @@ def quantised(done: Sequence[Finished]) -> list[str]:
     rows = [f for f in done if f.job.row.group == "quantised"]
     if not any(f.refined for f in rows):
         return []
-    floats = {f.job.key: f for f in done}
-    bases = [None if (before := f.job.unquantised()) is None else floats.get(before.key) for f in rows]
     return [
         f"ADD of the training graph on the same frames, all distances, by a single look and refined:\n\n"
-        f"{_beside(rows, bases, 'refined loss, points (95 %)')}"
+        f"{_beside(rows, _floats(rows, done), 'refined loss, points (95 %)')}"
     ]
 
 
@@ -54,15 +52,19 @@ def front(done: Sequence[Finished]) -> list[str]:
     rows = [f for f in done if f.job.row.group == "front"]
     if not rows:
         return []
-    by_key = {f.job.key: f for f in done}
-    floats = [None if (before := f.job.unquantised()) is None else by_key.get(before.key) for f in rows]
     return [
         "## The reference layer's network\n\n`paper-front` has the paper's width in its first two stages and quarter "
         "width behind them, so that the layer of 128 x 128 x 64 has learned weights. One training each.",
         table(["row", *SCORE_COLUMNS], [[f.job.row.title, *score_cells(f)] for f in rows]),
         "By a single look and refined:",
-        _beside(rows, floats, "refined loss, points (95 %)"),
+        _beside(rows, _floats(rows, done), "refined loss, points (95 %)"),
     ]
+
+
+def _floats(rows: Sequence[Finished], done: Sequence[Finished]) -> list[Finished | None]:
+    """For each row the float network it comes from."""
+    by_key = {f.job.key: f for f in done}
+    return [None if (before := f.job.unquantised()) is None else by_key.get(before.key) for f in rows]
 
 
 def _beside(rows: Sequence[Finished], others: Sequence[Finished | None], title: str) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 
 from macram.experiments.finished import Finished
 from macram.experiments.plan import RUNS
-from macram.experiments.sections import table
+from macram.experiments.sections import paper_accuracy, table
 from macram.model.counts import GIGA, MEBI, NetworkCounts, count_network
 from macram.weights import read_index
 
@@ -51,14 +51,13 @@ def costs(done: Sequence[Finished], cited: dict[str, Any], results: Path) -> lis
 def _operations(f: Finished, counts: NetworkCounts, cited: dict[str, Any]) -> list[str]:
     codes, total = counts.quantised_macs(f.table["mode"]), counts.macs()
     refined = None if f.refined is None else f.refined.table["ranges"]["all"]["add"]["0.1"]
-    paper = cited["quantised"].get(f"{f.table['bits']} bit, mode {f.table['mode']}")
     return [
         f.job.row.title,
         f"{codes / GIGA:.3f}",
         f"{(total - codes) / GIGA:.3f}",
         f"{100 * codes / total:.2f}",
         f"{f.table['ranges']['all']['add']['0.1']:.2f}",
-        *("-" if value is None else f"{value:.2f}" for value in (refined, paper)),
+        *("-" if value is None else f"{value:.2f}" for value in (refined, paper_accuracy(f, cited))),
     ]
 
 

@@ -25,7 +25,7 @@ from macram.train.distributed import join_processes, processor_name
 from macram.train.loop import Run
 from macram.train.pack import thinned
 from macram.train.predict import Predictor, evaluate_frames
-from macram.train.record import differences, train_command
+from macram.train.record import differences, goes_on, train_command
 from macram.train.samples import sample_sheet
 from macram.weights import sha256
 
@@ -241,15 +241,14 @@ def _record(
     limit: int,
 ) -> dict[str, Any]:
     stage = card.history[-1]
-    # A configuration starts from the stage before by itself, but never from one of its own kind.
-    kinds = [entry["config"]["run"]["stage"] for entry in card.history[-2:]]
-    again = len(kinds) == 2 and kinds[0] == kinds[1]
     return {
         "format": 1,
         "row": job.row.name,
         "seed": job.seed,
         "command": f"macram experiments run {job.row.name}",
-        "train_command": train_command(job.row.config, stage["config"], ("run.init",) if again else ()),
+        "train_command": train_command(
+            job.row.config, stage["config"], ("run.init",) if goes_on(card.history) else ()
+        ),
         "stage": stage["config"]["run"]["stage"],
         "mode": card.mode,
         "bits": card.bits,

@@ -141,7 +141,7 @@ def quantised(done: Sequence[Finished], cited: dict[str, Any]) -> list[str]:
             if base is None
             else ["{:+.1f} ({:+.1f} to {:+.1f})".format(*statistics.difference(f.frames, base.frames))]
         )
-        theirs = cited["quantised"].get(f"{f.table['bits']} bit, mode {f.table['mode']}")
+        theirs = paper_accuracy(f, cited)
         paper = cited["swisscube"]["CA-SpaceNet"][-1]
         lines.append(
             [f.job.row.title, *score_cells(f), *loss, "-" if theirs is None else f"{theirs - paper:+.2f}"]
@@ -155,6 +155,12 @@ def quantised(done: Sequence[Finished], cited: dict[str, Any]) -> list[str]:
         table(["row", *SCORE_COLUMNS, "loss, points (95 %)", "paper's loss"], lines),
         *_integers([f for f in rows if f.integers is not None]),
     ]
+
+
+def paper_accuracy(f: Finished, cited: dict[str, Any]) -> float | None:
+    """Of the paper's network with the bits and mode of a row, percent; None where the paper has none."""
+    accuracy: float | None = cited["quantised"].get(f"{f.table['bits']} bit, mode {f.table['mode']}")
+    return accuracy
 
 
 def _taught(rows: Sequence[Finished]) -> str:

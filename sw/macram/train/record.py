@@ -34,8 +34,7 @@ def stage_records(card: Card, configs: Sequence[Path]) -> list[dict[str, Any]]:
     records: list[dict[str, Any]] = []
     for path, record in zip(configs, card.history, strict=True):
         config = record["config"]
-        # A configuration starts from the stage before by itself, but never from one of its own kind.
-        again = bool(records) and records[-1]["stage"] == config["run"]["stage"]
+        again = goes_on(card.history[: len(records) + 1])
         if (stage := load_config(path).run.stage) != config["run"]["stage"]:
             raise ValueError(f"{path}: is of stage {stage}, the network's was {config['run']['stage']}")
         records.append(
@@ -49,6 +48,12 @@ def stage_records(card: Card, configs: Sequence[Path]) -> list[dict[str, Any]]:
             }
         )
     return records
+
+
+def goes_on(history: Sequence[Mapping[str, Any]]) -> bool:
+    """Whether the last stage continues one of its own kind: its configuration alone starts from the one before that."""
+    kinds = [record["config"]["run"]["stage"] for record in history[-2:]]
+    return len(kinds) == 2 and kinds[0] == kinds[1]
 
 
 def train_command(path: Path, config: Mapping[str, Any], named: Sequence[str] = ()) -> str:

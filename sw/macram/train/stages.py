@@ -132,9 +132,9 @@ class Stage:
             assert batch.erased is not None
             output = self.module(batch.image, batch.erased)
             return objective.three_paths(output, batch, cells, images, surface=surface)
-        if self.teacher is None:
-            return objective.factual(self.module(batch.image), batch, cells, images, surface=surface)
         features = self.net.features(batch.image)
         losses = objective.factual(self.net.predict(features), batch, cells, images, surface=surface)
-        goal = self.teacher.features(batch.image)
-        return losses | {"imitation": objective.imitation(features.direct, goal, batch, cells, images)}
+        if self.teacher is not None:
+            goal = self.teacher.features(batch.image)
+            losses["imitation"] = objective.imitation(features.direct, goal, batch, cells, images)
+        return losses
